@@ -300,7 +300,7 @@ void check(const CheckOptions& options)
 
 Command add_check_command(CLI::App& drill)
 {
-  CLI::App* words = drill.add_subcommand("check", "checks a scene and prints what it will build");
+  CLI::App* words = drill.add_subcommand("check", "checks a scene and prints the rig, string, well and model that it describes");
   const auto options = std::make_shared<CheckOptions>();
   add_file(*words, "SCENE", options->scene, "the scene's file");
   add_settings(*words, options->settings);

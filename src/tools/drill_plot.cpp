@@ -29,14 +29,14 @@ void plot(const PlotOptions& options)
 
 Command add_plot_command(CLI::App& drill)
 {
-  CLI::App* words = drill.add_subcommand("plot", "draws a run: logs by time and depth, well, toolfaces, and a page that holds them");
+  CLI::App* words = drill.add_subcommand("plot", "draws a run: logs by time and depth, well, toolfaces, and a page with all of them");
   const auto options = std::make_shared<PlotOptions>();
   add_file(*words, "RUN", options->run, "of drill run --csv, or a bag (.bag) with truth/rig_state and truth/bit, or with rig_state only");
   add_text(*words, "--out", options->out, "DIR", "folder for PNG, SVG and index.html; default: beside the run");
   add_text(*words, "--plan", options->plan, "FILE", "planned survey, beside the drilled well");
   add_survey_file_options(*words, options->plan_file, "the plan's");
   add_text(*words, "--string", options->string, "FILE", "of drill run --profile or drill static --csv: the forces along the string");
-  add_text(*words, "--namespace", options->name_space, "NS", "which rig of a bag with several");
+  add_text(*words, "--namespace", options->name_space, "NS", "namespace of the rig, where a bag has several");
   add_units(*words, options->units);
   return {words, [options] { plot(*options); }};
 }

@@ -13,10 +13,10 @@ void add_record(CLI::App& command, RecordOptions& options)
 void add_record_options(CLI::App& command, RecordOptions& options)
 {
   command.add_option("--with", options.more, "a further file of the same well, joined by time; may be given again")->type_name("FILE")->allow_extra_args(false);
-  add_text(command, "--columns", options.columns, "FILE", "which column is what, and its unit: `hook_load: {column: HL, unit: klbf}` a line");
-  add_text(command, "--from", options.from, "TIME", "in the record where the part that counts begins: s, or an ISO date");
-  add_text(command, "--to", options.to, "TIME", "where it ends");
-  command.add_option("--leave-out", options.left_out, "a stretch A:B of the record that does not count (dates: A..B); may be given again")->type_name("A:B")->allow_extra_args(false);
+  add_text(command, "--columns", options.columns, "FILE", "map of columns and units, a line each: `hook_load: {column: HL, unit: klbf}`");
+  add_text(command, "--from", options.from, "TIME", "begin of the part of the record to use: s, or an ISO date");
+  add_text(command, "--to", options.to, "TIME", "end of that part");
+  command.add_option("--leave-out", options.left_out, "an interval A:B of the record to leave out (dates: A..B); may be given again")->type_name("A:B")->allow_extra_args(false);
 }
 
 std::vector<std::string> words_of(const RecordOptions& options)

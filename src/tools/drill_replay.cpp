@@ -27,15 +27,15 @@ void replay(const ReplayOptions& options)
 
 Command add_replay_command(CLI::App& drill)
 {
-  CLI::App* words = drill.add_subcommand("replay", "plays a rig's record to a scene: how far are hook load, torque and pressure off");
+  CLI::App* words = drill.add_subcommand("replay", "replays a rig's record on a scene and compares hook load, torque and pressure");
   const auto options = std::make_shared<ReplayOptions>();
   add_record(*words, options->record);
   add_file(*words, "SCENE", options->scene, "the scene's file; its start is where the record begins");
   add_record_options(*words, options->record);
-  add_text(*words, "--start", options->start, "scene|record", "where bit and block begin; default: as the scene says, or the record where the scene has no start.bit_depth")
+  add_text(*words, "--start", options->start, "scene|record", "where bit and block begin; default: scene, or record if the scene has no start.bit_depth")
       ->check(CLI::IsMember({"scene", "record"}));
   add_text(*words, "--json", options->json, "FILE", "writes the residuals");
-  add_text(*words, "--csv", options->csv, "FILE", "writes what was recorded and simulated");
+  add_text(*words, "--csv", options->csv, "FILE", "writes recorded and simulated values");
   add_text(*words, "--plots", options->plots, "FILE", "draws both (.png, .svg, .pdf)");
   add_units(*words, options->units);
   return {words, [options] { replay(*options); }};

@@ -150,7 +150,7 @@ void run_scene(const RunOptions& options)
 
 Command add_run_command(CLI::App& drill)
 {
-  CLI::App* words = drill.add_subcommand("run", "plays a scene's program as fast as it goes");
+  CLI::App* words = drill.add_subcommand("run", "runs a scene's program as fast as possible");
   const auto options = std::make_shared<RunOptions>();
   add_options(*words, *options);
   return {words, [options] { run_scene(*options); }};

@@ -55,17 +55,17 @@ void add_output_options(CLI::App& command, RunOptions& options)
 {
   add_text(command, "--csv", options.csv, "FILE", "writes time series");
   add_text(command, "--bag", options.bag, "FILE", "writes the topics that the node publishes of measurements");
-  add_text(command, "--witsml", options.witsml, "FILE", "writes what the instruments show as a log of WITSML 1.4.1.1, by default a row a second");
-  add_text(command, "--start-date", options.start_date, "DATE", "of simulated time 0 in --witsml, UTC; default 2000-01-01T00:00:00Z")->check(problem_of_date);
-  add_number(command, "--every", options.every, 1e-4, 1e6, "S", "between rows of the time series, or the bag's measurements; whole frames, default 0.1");
-  add_text(command, "--profile", options.profile, "FILE", "writes forces along the string in the course of the run");
-  add_number(command, "--profile-every", options.profile_every, 1e-4, 1e6, "S", "between these, whole frames, default 1");
+  add_text(command, "--witsml", options.witsml, "FILE", "writes the instruments' readings as a log of WITSML 1.4.1.1, by default a row each second");
+  add_text(command, "--start-date", options.start_date, "DATE", "date of simulated time 0 in --witsml, UTC; default 2000-01-01T00:00:00Z")->check(problem_of_date);
+  add_number(command, "--every", options.every, 1e-4, 1e6, "S", "time between rows of the time series or the bag's measurements; whole frames, default 0.1");
+  add_text(command, "--profile", options.profile, "FILE", "writes forces along the string during the run");
+  add_number(command, "--profile-every", options.profile_every, 1e-4, 1e6, "S", "time between these, whole frames, default 1");
   add_text(command, "--json", options.json, "FILE", "writes a summary");
-  command.add_flag("--readings", options.readings, "adds what the instruments show to time series and summary")->disable_flag_override();
+  command.add_flag("--readings", options.readings, "adds the instruments' readings to time series and summary")->disable_flag_override();
   command.add_flag("--errors", options.errors, "adds measured errors and the companion's truth to --csv, the latter to --bag")->disable_flag_override();
   command.add_flag("--energy", options.energy, "keeps an energy balance; the summary shows it [J]")->disable_flag_override();
   add_units(command, options.units);
-  add_text(command, "--explain", options.explain, "FILE", "writes what was modelled and why, a row a change");
+  add_text(command, "--explain", options.explain, "FILE", "writes which model was used and why, a row for each change");
   add_text(command, "--path", options.path, "FILE", "writes the well's corrected path");
   add_text(command, "--raw-path", options.raw_path, "FILE", "writes the uncorrected path of the last metres");
 }
@@ -73,7 +73,7 @@ void add_output_options(CLI::App& command, RunOptions& options)
 
 void add_seed(CLI::App& command, RunOptions& options)
 {
-  command.add_option("--seed", options.seed, "of the sensors' noise")->type_name("N")->take_last()->check(problem_of_seed);
+  command.add_option("--seed", options.seed, "seed of the sensors' noise")->type_name("N")->take_last()->check(problem_of_seed);
 }
 
 void add_goal_options(CLI::App& command, RunOptions& options, const std::string& scene)
@@ -81,7 +81,7 @@ void add_goal_options(CLI::App& command, RunOptions& options, const std::string&
   add_file(command, "SCENE", options.scene, scene);
   add_number(command, "--duration", options.duration, 1e-3, longest_run, "S",
              "simulated seconds; default: until depth, until the operations are over, or 60 s after the program's end");
-  add_number(command, "--until-depth", options.until_depth, 0.0, deepest, "MD", "stop when the hole is this deep [m], or nothing has been gained for 600 s after the program, or in an operation");
+  add_number(command, "--until-depth", options.until_depth, 0.0, deepest, "MD", "stop when the hole is this deep [m], or has not grown for 600 s after the program or in an operation");
 }
 
 void add_options(CLI::App& command, RunOptions& options)

@@ -26,12 +26,12 @@ void judge(const ScoreCommand& options)
 
 Command add_score_command(CLI::App& drill)
 {
-  CLI::App* words = drill.add_subcommand("score", "judges a controller's run from its time series or bag");
+  CLI::App* words = drill.add_subcommand("score", "scores a controller's run from its time series or bag");
   const auto options = std::make_shared<ScoreCommand>();
   add_file(*words, "RUN", options->run,
            "of drill run --csv, or a bag (.bag) with truth/rig_state and truth/bit, or with rig_state only");
   add_score_options(*words, options->score);
-  add_text(*words, "--namespace", options->name_space, "NS", "which rig of a bag with several");
+  add_text(*words, "--namespace", options->name_space, "NS", "namespace of the rig, where a bag has several");
   add_text(*words, "--json", options->json, "FILE", "writes the scores");
   add_text(*words, "--plots", options->plots, "FILE", "draws a page (.png, .svg, .pdf)");
   add_units(*words, options->units);

@@ -25,9 +25,9 @@ void add_score_options(CLI::App& command, ScoreOptions& options)
   add_survey_file_options(command, options.plan_file, "the plan's");
   add_number(command, "--bit-diameter", options.bit_diameter, 0.01, 2.0, "M", "for the mechanical specific energy");
   add_number(command, "--wob", options.wob, 0.0, 1e7, "N", "set point of the weight on bit");
-  add_number(command, "--wob-band", options.wob_band, 0.0, 1e7, "N", "so far from it counts as held; default: a tenth of it");
+  add_number(command, "--wob-band", options.wob_band, 0.0, 1e7, "N", "tolerance about that set point; default: a tenth of it");
   add_number(command, "--toolface", options.toolface, -360.0, 360.0, "DEG", "set point of the toolface");
-  add_number(command, "--toolface-band", options.toolface_band, 0.0, 180.0, "DEG", "so far from it counts as held; default: 15");
+  add_number(command, "--toolface-band", options.toolface_band, 0.0, 180.0, "DEG", "tolerance about that set point; default: 15");
 }
 
 std::vector<std::string> words_of(const ScoreOptions& options)

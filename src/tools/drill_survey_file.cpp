@@ -9,7 +9,7 @@ namespace drill_rig_sim
 void add_survey_file_options(CLI::App& command, SurveyFileOptions& options, const std::string& whose)
 {
   add_text(command, "--columns", options.columns, "MAP.yaml", "a map of " + whose + " columns, units and delimiter (.yaml): the keys of a scene's well.survey");
-  command.add_flag("--pass-over", options.pass_over, "pass over stations without a value and those that equal the one before");
+  command.add_flag("--pass-over", options.pass_over, "skip stations without a value and those equal to the one before");
 }
 
 void add_plan_words(std::vector<std::string>& words, const std::string& plan, const SurveyFileOptions& options)

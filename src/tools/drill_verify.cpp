@@ -145,15 +145,15 @@ void verify(const VerifyOptions& options)
 
 Command add_verify_command(CLI::App& drill)
 {
-  CLI::App* words = drill.add_subcommand("verify", "plays a scene, or a bag's run, beside two finer models of it and says how wrong it is; exit status 1: wrong without a warning");
+  CLI::App* words = drill.add_subcommand("verify", "compares a scene's run, or a bag's, with two finer models and reports its error; exit status 1: wrong without a warning");
   const auto options = std::make_shared<VerifyOptions>();
   add_goal_options(*words, options->run, "the scene's file; or a bag (.bag) of drill run, or recorded of a node from its start on");
   add_settings(*words, options->run.settings);
   add_seed(*words, options->run);
-  add_number(*words, "--times", options->times, least_refinement, most_refinement, "N", "how much shorter elements and steps of the finer model are, of the finest its square; default 2");
-  add_text(*words, "--scene", options->scene, "FILE", "that a bag was recorded of, where it does not hold it");
-  add_text(*words, "--namespace", options->name_space, "NS", "which rig of a bag with several");
-  words->add_flag("--score", options->score, "compares the scores that drill score gives the three, by its options:")->disable_flag_override();
+  add_number(*words, "--times", options->times, least_refinement, most_refinement, "N", "refinement of elements and steps of the finer model, squared for the finest; default 2");
+  add_text(*words, "--scene", options->scene, "FILE", "the scene of a bag that does not contain it");
+  add_text(*words, "--namespace", options->name_space, "NS", "namespace of the rig, where a bag has several");
+  words->add_flag("--score", options->score, "compares the scores of drill score for the three runs, by its options:")->disable_flag_override();
   add_score_options(*words, options->judged_by);
   add_text(*words, "--json", options->run.json, "FILE", "writes the findings");
   add_units(*words, options->units);
