@@ -40,7 +40,7 @@ void VerifiedScores::add(const Simulator& simulator, const FinerPair& pair, doub
 
 std::string VerifiedScores::compare(const ScoreOptions& options, const std::string& units)
 {
-  const std::string json = folder_ + "/scores.json";
+  const std::string json = folder_.path() + "/scores.json";
   std::vector<std::string> words = words_of(options);
   add_word(words, "--json", json);
   add_word(words, "--units", units);

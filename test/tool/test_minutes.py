@@ -3,6 +3,7 @@
 import importlib.machinery
 import importlib.util
 import os
+import subprocess
 import sys
 import unittest
 
@@ -42,6 +43,14 @@ class Phases(unittest.TestCase):
     def test_names_are_those_that_the_command_takes(self):
         self.assertEqual(['test_sim_crew', 'rostest_faults', 'stability'],
                          [minutes.plain(name) for name in ('_ctest_drill_rig_sim_gtest_test_sim_crew', '_ctest_drill_rig_sim_rostest_test_rostest_faults.test', 'stability')])
+
+
+class Tables(unittest.TestCase):
+    def test_they_are_what_the_command_prints(self):
+        for name, words in (('times.md', []), ('slowest.md', ['--slowest'])):
+            printed = subprocess.run([PLACE, *words], stdout=subprocess.PIPE, universal_newlines=True, check=True).stdout
+            with open(os.path.join(os.path.dirname(PLACE), name)) as file:
+                self.assertEqual(printed, file.read(), './test/minutes/run %s > test/minutes/%s' % (' '.join(words), name))
 
 
 if __name__ == '__main__':
