@@ -188,7 +188,7 @@ class Campaigns(unittest.TestCase):
         client.send_signal(signal.SIGINT)
         _, told = client.communicate(timeout=PATIENCE)
         self.assertEqual(3, client.returncode)
-        self.assertIn("the same command goes on", told)
+        self.assertIn("the same command continues", told)
 
     def test_ctrl_c_ends_it_without_a_traceback_and_what_was_left_behind_is_no_news(self):
         """A terminal sends it to workers and runners too."""

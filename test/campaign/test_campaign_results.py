@@ -108,7 +108,7 @@ class File(test_campaign_parts.Folder):
     def test_a_scheduler_beyond_tls_needs_certificates(self):
         status, _, told = drill_campaign(self.plan(), "--results", self.place("r.sqlite"), "--scheduler", "tls://127.0.0.1:8786")
         self.assertEqual(3, status)
-        self.assertRegex(told, r"^drill_campaign: tls://127.0.0.1:8786: there are no certificates, needed: .*; 0 runs are done, the same command goes on\n")
+        self.assertRegex(told, r"^drill_campaign: tls://127.0.0.1:8786: there are no certificates, needed: .*; 0 runs are done, the same command continues\n")
 
     def test_what_is_no_results_file(self):
         with open(self.place("text"), "w", encoding="utf-8") as out:

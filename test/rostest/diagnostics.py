@@ -57,7 +57,7 @@ class Diagnostics(unittest.TestCase):
         message = self.until_state("failed")
         status = next(s for s in message.status if s.name.endswith("physics"))
         self.assertIn(status.level, (DiagnosticStatus.ERROR, bytes([2]), 2))
-        self.assertIn("could not be solved", status.message)
+        self.assertIn("did not converge", status.message)
         heard = states.wait_until(lambda m: m and m[-1].run_state == RigState.FAILED)
         self.assertEqual(1, sum(m.run_state == RigState.FAILED for m in heard), "once")
         self.assertEqual(heard[-2].header.stamp, heard[-1].header.stamp, "of the last good frame")

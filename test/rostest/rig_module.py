@@ -118,7 +118,7 @@ class RigModule(unittest.TestCase):
         self.assertRaises(Refused, self.rig.restore, "never saved")
         self.assertRaises(Refused, self.rig.reset, bit_depth=1e6)
         self.assertRaises(Refused, self.rig.load_survey, "no_such.csv")
-        self.assertRaisesRegex(Refused, "they are not set", self.rig.slips, False)
+        self.assertRaisesRegex(Refused, "the slips are not set", self.rig.slips, False)
         self.assertRaisesRegex(Refused, "slips are not set", self.rig.connection)
         self.assertRaisesRegex(Refused, "magnitude", self.rig.fault, "BRAKE_SLIP", magnitude=-1.0)
         self.assertRaises(AttributeError, self.rig.fault, "EARTHQUAKE")

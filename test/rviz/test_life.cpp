@@ -128,7 +128,7 @@ TEST(Life, AFailureIsTold)
   const RigProcess rig("failing", {"_scene:=" + scene, "_rate:=20", "_play_program:=true"});
   Console console("failing");
   ASSERT_TRUE(console.is_in_state("FAILED"));
-  EXPECT_TRUE(wait_until([&] { return console.shows("gravest warning").contains("time stands at the last good state"); }));
+  EXPECT_TRUE(wait_until([&] { return console.shows("gravest warning").contains("stopped at the last good state"); }));
 }
 
 TEST(Life, InLockstepItWaitsAndSteps)

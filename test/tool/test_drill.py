@@ -326,7 +326,7 @@ class Run(Drill):
         self.assertIn(' s simulated: ', done.stderr)
         with open(self.file('f.json')) as text:
             summary = json.load(text)
-        self.assertIn('could not be solved', summary['failure'])
+        self.assertIn('did not converge', summary['failure'])
         self.assertIsNotNone(summary['final']['hook_load'])
         with open(self.file('f_string.csv')) as text:
             rows = list(csv.DictReader(text))

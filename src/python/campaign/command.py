@@ -24,7 +24,7 @@ class Said(Exception):
 
 def parser():
     top = argparse.ArgumentParser(prog="drill_campaign", description=__doc__, epilog="Exit status: 0 all runs ended well, 1 some did not (their rows say why), "
-                                  "2 bad input, 3 the workers were lost or a signal came: what was done stays, the same command goes on.")
+                                  "2 bad input, 3 the workers were lost or a signal came: finished runs are kept, the same command continues.")
     top.add_argument("plan", help="the plan's file; or report, export, scene, play with the results' file")
     top.add_argument("--results", metavar="FILE", help="default: the plan's name with .sqlite, in this folder")
     top.add_argument("--workers", type=int, default=0, metavar="N", help="processes on this machine; default: one a core")
