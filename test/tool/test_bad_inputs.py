@@ -153,7 +153,7 @@ class BadInputs(unittest.TestCase):
 
     # work is bounded
     def test_deep20k_el0_1(self):
-        self.refused('deep20k_el0.1.yaml', ':21: numerics.element_length: 0.1 m makes some 2', 'nodes, allowed: up to 40000')
+        self.refused('deep20k_el0.1.yaml', ':21: numerics.element_length: 0.1 m gives about 2', 'nodes, allowed: up to 40000')
 
     def test_20_km_in_elements_of_a_metre_start(self):
         scene = self.scene('deep20k_el0.1.yaml', 'element_length: 0.1', 'element_length: 1.0')

@@ -197,7 +197,7 @@ class Dates(Folder):
         for case in ("us.csv map.yaml", "pason.csv mapP.yaml"):
             with self.assertRaisesRegex(RecordError, ":2: .*format.*two columns"):
                 read_record(*(os.path.join(CASES, "07_dates", name) for name in case.split()))
-        with self.assertRaisesRegex(RecordError, "25_date_only.csv:2: Time: 2020-11-02Z is no date"):
+        with self.assertRaisesRegex(RecordError, "25_date_only.csv:2: Time: 2020-11-02Z is not a date"):
             read_record(os.path.join(CASES, "23_units_and_tables/25_date_only.csv"), os.path.join(CASES, "23_units_and_tables/map.yaml"))
         self.assertEqual(121, len(read_record(os.path.join(CASES, "07_dates/pason.csv")).time))
 

@@ -138,7 +138,7 @@ REFUSED = {
     "seconds since 1970": (table(header=DATED, times=["%d" % (1716285590 + row[0]) for row in ROWS]), "is not a date (first: 1716285590, as s since 1970); needed: a map"),
     "days of a spreadsheet": (table(header=DATED, times=["%.8f" % (45413.5 + row[0] / 86400) for row in ROWS]), "the time has no unit and is not a date (first: 45413.5"),
     "two units": (table().replace("(ft)\n", "(ft)\ns,kN,ft\n"), "r.csv:2: the unit of Hook Load (klbs) is kN here"),
-    "13 PM": (table(header=DATED, times=["2024-05-01 13:00:%02d PM" % row[0] for row in ROWS]), "13:00:00 PM is no date"),
+    "13 PM": (table(header=DATED, times=["2024-05-01 13:00:%02d PM" % row[0] for row in ROWS]), "13:00:00 PM is not a date"),
     "footer": (table() + "End of file\n", "r.csv:6: has 1 cells, the header 3"),
 }
 

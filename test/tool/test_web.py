@@ -350,7 +350,7 @@ class Order(unittest.TestCase):
         self.assertEqual(self.answer(hands, type="hold", velocity=0.1), "")
         self.assertEqual(hands.orders, ["hold"])
         for kind in ("__init__", "join", None, 3, ["hold"]):
-            self.assertRegex(self.answer(hands, type=kind), "^no such order: ")
+            self.assertRegex(self.answer(hands, type=kind), "^unknown command: ")
 
     def test_numbers(self):
         self.assertEqual(number_of({"a": 2}, "a", 0, 3), 2.0)
