@@ -179,9 +179,9 @@ class Plans(Folder):
     def test_keys_times_and_parameters_are_refused_with_their_line(self):
         friction = "\"well.sections[*].friction\""
         for old, new, line, said in (
-                ("controller.rpm", friction, 7, "sections[*].friction: the same place"), (friction, "controller.rpm", 7, "controller.rpm and controller.rpm: the same place"),
+                ("controller.rpm", friction, 7, "sections[*].friction are the same key"), (friction, "controller.rpm", 7, "controller.rpm and controller.rpm are the same key"),
                 ("key: controller.rpm", "keys: [numerics.tolerance, numerics.tolerance]", 6, "are the same key"), (friction, "seed, times: true", 7, "a seed needs values"),
-                ("key: controller.rpm", "keys: [numerics.new, numerics.new.more]", 6, "numerics.new and numerics.new.more: the same place"),
+                ("key: controller.rpm", "keys: [numerics.new, numerics.new.more]", 6, "numerics.new and numerics.new.more are the same key"),
                 ("controller.rpm, values: [30.0, 60.0]", "seed, values: [1, 1.5]", 6, "factors[0].values[1]: is 1.5, needed: a whole number"), (friction, "seed", 7, "whole numbers"),
                 ("duration: 0.3", "duration: 0.3\nfrom: 0.3", 4, "from: is 0.3, needed: a number below the duration, 0.3"), ("duration: 0.3", "duration: 0.305", 3, "not a whole number of frames"),
                 ("duration: 0.3", "duration: 0.3\nevery: 0.015", 4, "0.015 s, is not a whole number of frames of 0.01 s"), ("duration: 0.3", "duration: 0.3\nseed: 1.5", 4, "a whole number"),

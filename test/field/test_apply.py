@@ -118,7 +118,7 @@ class Applied(unittest.TestCase):
             json.dump(tree, out)
         status, _, told = calibrate(self.data(signals=["hook_load", "torque"], to=30.0), "--apply", self.path("fewer.json"))
         self.assertEqual((2, 1), (status, told.count("\n")), told)
-        self.assertIn("fewer.json: torque: had no such data, allowed: ", told)
+        self.assertIn("fewer.json: torque: the fit had no such data, allowed: ", told)
 
     def test_what_is_refused(self):
         for name, text in (("text.json", "{"), ("list.json", "[1]"), ("old.json", '{"parameters": [{"name": "a", "value": 1}], "covariance": [[1]], "rms": {}}')):

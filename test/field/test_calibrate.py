@@ -203,7 +203,7 @@ class Records(unittest.TestCase):
                            ({"parameters": [{"name": "a", "start": 1, "key": "well.nothing[3]"}]}, "the scene has no"), ({"record": "no.csv"}, "No such file"),
                            ({"parameters": [{"name": "a", "start": 5, "key": "mud.density", "to": 1}]}, "outside"), ({"scene": "no.yaml"}, "No such file"),
                            ({"table": {"file": "x"}}, "record or table"), ({"held_out": 2}, "up to 0.9"), ({"signals": ["rop"]}, "allowed: hook_load"),
-                           ({"parameters": [{"name": "a", "start": -1, "key": "mud.density"}]}, "nothing can be predicted: "),
+                           ({"parameters": [{"name": "a", "start": -1, "key": "mud.density"}]}, "nothing can be predicted at the parameters"),
                            ({"parameters": [{"name": "a", "start": 1, "key": "formation[0].drilability", "times": True}]}, "parameters[0]: formation[0].drilability: the scene does not"),
                            ({"parameters": [{"name": "a", "start": 1, "key": "mud.density"}] * 2}, "the same place"), ({"from": 1000.0}, "has 0 rows"), ({"leave_out": "0:1000"}, "leave no number to compare"),
                            ({"signals": ["torque"]}, "hook_load: is not fitted")):

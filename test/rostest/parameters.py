@@ -81,7 +81,7 @@ class Parameters(unittest.TestCase):
 
     def test_the_launch_file_has_every_parameter_with_its_meaning(self):
         _, said = start("scene:=quick.yaml", "bogus:=1")
-        there_are = set(said.split("there are ")[1].strip().split(", "))
+        there_are = set(said.split("allowed are ")[1].strip().split(", "))
         root = ElementTree.parse(os.path.join(PACKAGE_DIR, "launch", "rig.launch")).getroot()
         node = next(n for n in root.iter("node") if n.get("type") == "rig_simulator")
         given = {p.get("name") for p in node.iter("param")} | {p.get("param") for p in node.iter("rosparam")}

@@ -115,7 +115,7 @@ class Verify(test_drill.Drill):
         for change, said in ((late, r'begins 5\.01 s after the start of the rig, after the first command; needed: a bag recorded from the start'),
                              (stuck, r'cannot be replayed: at 5\.01 s the hook load is [0-9.]+ kN, recorded: [0-9.]+; services'),
                              (lambda topic, message: None if topic == 'scene' else message, r'holds no scene \(topic scene\), needed: --scene FILE'),
-                             (lambda topic, message: None if topic == 'truth/rig_state' else message, r'has no truth/rig_state, by which')):
+                             (lambda topic, message: None if topic == 'truth/rig_state' else message, r'has no truth/rig_state, which is needed')):
             self.assertRegex(self.refuse('verify', self.rewritten(change), '--times', '1.2'), r'^drill verify: \S+other\.bag: ' + said)
 
     def test_the_scene_may_be_given(self):
