@@ -56,7 +56,7 @@ class Failure(unittest.TestCase):
             self.assertEqual(RigState.FAILED, messages[-1].run_state)
         self.assertEqual(good, clock.wait_until(lambda m: m and m[-1].clock >= good)[-1].clock)
         physics = self.physics(diagnostics)
-        self.assertIn("time stands at the last good state", physics.message)
+        self.assertIn("stopped at the last good state", physics.message)
 
     @staticmethod
     def physics(diagnostics):

@@ -110,7 +110,7 @@ class Survey(unittest.TestCase):
             with open(columns, "w", encoding="utf-8") as out:
                 out.write("columns: {md: {column: Tiefe, unit: ft}, inclination: {column: Neigung, unit: deg}, azimuth: {unit: deg}}\n")
             self.refused(LoadSurveyRequest(file=file), "plan.csv:1", "Tiefe")
-            self.refused(LoadSurveyRequest(file=file, columns=columns), "plan.csv:4", "does not exceed")
+            self.refused(LoadSurveyRequest(file=file, columns=columns), "plan.csv:4", "is not deeper than")
             self.refused(LoadSurveyRequest(file=file, columns=columns + "x"), "map.yamlx")
             answer = self.rig.load_survey(LoadSurveyRequest(file=file, columns=columns, pass_over=True))
         self.assertTrue(answer.success, answer.message)

@@ -96,7 +96,7 @@ class Files(InFolder):
         self.assertEqual(501, numpy.isfinite(found["error_wob"]).sum())
 
     def test_what_is_no_number_is_refused(self):
-        with self.assertRaisesRegex(RunError, "run.csv:2: error_wob: much is no finite number"):
+        with self.assertRaisesRegex(RunError, "run.csv:2: error_wob: much is not a finite number"):
             read_run(self.series(with_companion(), lambda time: "much"))
 
 

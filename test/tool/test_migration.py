@@ -110,7 +110,7 @@ class Migration(unittest.TestCase):
             with self.assertRaisesRegex(Refusal, "^" + old + ": "):
                 migrate(old, self.new)
             self.assertFalse(os.path.exists(self.new))
-        with self.assertRaisesRegex(Refusal, "is there already"):
+        with self.assertRaisesRegex(Refusal, "already exists"):
             migrate(self.old, self.old)
         program = os.path.join(SOURCE, "src/tools/migrate_bag")
         done = subprocess.run([sys.executable, program, self.old], capture_output=True, text=True, check=False)

@@ -286,7 +286,7 @@ class Tables(Folder):
         more = ("Hookload (max) (klbf)", "Depth Bit (vert) (m)", "Depth Bit (meas) (m)")
         text = "".join("%s,%s\n" % (before, line) for before, line in zip((",".join(more), *4 * ["900,400,500"]), table(header=("Time (s)", "Hookload (avg) (klbf)", NAMES[2])).splitlines()))
         record = self.read(text)
-        self.right(record, ["hook_load is taken from Hookload (avg) (klbf); passed over: Hookload (max) (klbf)"])
+        self.right(record, ["hook_load is taken from Hookload (avg) (klbf); not used: Hookload (max) (klbf)"])
         self.assertEqual([500.0] * 4, list(record.signals["bit_depth"]))
         self.assertNotIn("bit_depth", self.read(text.replace("meas", "TVD")))
 

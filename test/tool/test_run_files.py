@@ -35,8 +35,8 @@ class RunFiles(InFolder):
                 self.assertEqual([list(column) for column in zip(*((float("%.9g" % number) for number in row) for row in ROWS))], [list(run[name]) for name in NEEDED])
 
     def test_what_is_refused_by_row_and_column(self):
-        for text, said in ((series().replace("10000,600", "nan,600", 3), "run.csv:2: wob: nan is no finite number"), (series().replace("10000,600", "10000,inf", 1), "run.csv:2: torque: inf"),
-                           (series().replace("10000,600", ",600", 1), "run.csv:2: wob: an empty cell"), (series().replace("10000,600", "much,600", 1), "run.csv:2: wob: much is no finite number"),
+        for text, said in ((series().replace("10000,600", "nan,600", 3), "run.csv:2: wob: nan is not a finite number"), (series().replace("10000,600", "10000,inf", 1), "run.csv:2: torque: inf"),
+                           (series().replace("10000,600", ",600", 1), "run.csv:2: wob: an empty cell"), (series().replace("10000,600", "much,600", 1), "run.csv:2: wob: much is not a finite number"),
                            (series().replace("10000,600", "600", 1), "run.csv:2: has 5 cells, the header 6"), (series().replace("wob", "torque"), "there are 2 columns torque"),
                            (series().replace("wob", "weight"), "has no wob"), ("", "is empty"), (",".join(NEEDED) + "\n", "two rows or more"), (series() + "\0", "NUL")):
             with self.assertRaises(RunError, msg=said) as caught:
@@ -48,7 +48,7 @@ class RunFiles(InFolder):
         for text, encoding in ((STRING, "utf-8-sig"), (STRING, "utf-16"), (STRING.replace(",", ";").replace(".", ","), "utf-8"), ("# °\n" + STRING, "latin-1")):
             columns = plot_well.read_string(self.file("s.csv", text, encoding))
             self.assertEqual(([0.0, 100.0], [2.5, 2.5]), (list(columns["md"]), list(columns["contact_force"])))
-        for text, said in ((STRING.replace("100,3", "100,nan"), "s.csv:3: tension: nan is no finite number"), (STRING.replace(",2.5", ""), "has 5 cells"), (STRING.replace("tension", "t"), "no column tension"),
+        for text, said in ((STRING.replace("100,3", "100,nan"), "s.csv:3: tension: nan is not a finite number"), (STRING.replace(",2.5", ""), "has 5 cells"), (STRING.replace("tension", "t"), "no column tension"),
                            (STRING.split("\n", 1)[0], "has no rows")):
             with self.assertRaises(plot_well.StringError) as caught:
                 plot_well.read_string(self.file("s.csv", text))

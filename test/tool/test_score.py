@@ -334,11 +334,11 @@ class Files(unittest.TestCase):
             run = read_run(self.changed(lambda rows, name=column: [row + [name if i == 0 else "" if i < 5 else "2.5"] for i, row in enumerate(rows)]))
             self.assertEqual((4, 2.5), (int(numpy.isnan(run[column]).sum()), run[column][-1]))
             self.assertEqual(score(read_run(self.series()))["wob"], score(run)["wob"])
-        self.assertRaisesRegex(RunError, "changed.csv:2: .*: an empty cell is no finite number", read_run, self.changed(lambda rows: [rows[0], rows[1][:-1] + [""], *rows[2:]]))
+        self.assertRaisesRegex(RunError, "changed.csv:2: .*: an empty cell is not a finite number", read_run, self.changed(lambda rows: [rows[0], rows[1][:-1] + [""], *rows[2:]]))
 
     def test_of_several_rigs_one_is_asked_for(self):
         file = self.bag({"/a/": ("rig_state",), "/b/": ("rig_state", "truth/rig_state")})
-        with self.assertRaisesRegex(RunError, "several rigs, needed: --namespace, of a, b"):
+        with self.assertRaisesRegex(RunError, "has several rigs, needed: --namespace with one of a, b"):
             read_run(file)
         self.assertEqual(("readings", "truth"), (read_run(file, "a").source, read_run(file, "/b").source))
         with self.assertRaisesRegex(RunError, "of the namespace c"):
@@ -392,7 +392,7 @@ class Files(unittest.TestCase):
         os.chmod(self.file("drill"), 0o755)
         done = subprocess.run([self.file("drill"), "score", self.series()], stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True, check=False)
         self.assertEqual(2, done.returncode)
-        self.assertRegex(done.stderr, r"^drill score: there is no .*score_command.py, .*\n$")
+        self.assertRegex(done.stderr, r"^drill score: .*score_command.py is missing; .*\n$")
 
 
 if __name__ == "__main__":

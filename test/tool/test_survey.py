@@ -148,7 +148,7 @@ class Plans(Files):
         done = drill("score", run, *words, "--pass-over")
         self.assertEqual((0, far.stdout), (done.returncode, done.stdout), done.stderr)
         self.assertIn("equal to the one before were skipped: line 4", done.stderr)
-        self.assertIn("plan.csv:4: station 3: md 656.168 ft does not exceed", self.refused("score", run, *words))
+        self.assertIn("plan.csv:4: station 3: md 656.168 ft is not deeper than", self.refused("score", run, *words))
         self.assertIn("plan.csv:4: station 3", self.refused("plot", run, *words, "--out", self.folder))
         for command in ("score", "plot"):
             self.assertIn("--columns: needs --plan", self.refused(command, run, "--columns", self.map))

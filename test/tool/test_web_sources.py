@@ -85,7 +85,7 @@ class Bags(unittest.TestCase):
 
     def test_several_rigs(self):
         self.write(("/a/rig_state", state(1.0), 1.0), ("/b/rig_state", state(1.0, hook_load=7.0), 1.0))
-        with self.assertRaisesRegex(RunError, "--namespace, of a, b"):
+        with self.assertRaisesRegex(RunError, "--namespace with one of a, b"):
             BagSource(self.file)
         self.assertEqual(float(taken(BagSource(self.file, "b")).log.last["hook_load"]), 7.0)
 

@@ -304,7 +304,7 @@ std::string survey_refusal(const std::string& text)
 TEST(SurveyCsv, ARowLongerThanItsHeaderIsRefused)
 {
   const std::string header = "md_m,inclination_deg,azimuth_deg\n";
-  EXPECT_EQ(":3: has 6 cells, the header 3, allowed: as many, with decimal points", survey_refusal(header + "0,0,0\n30,0,1,5,297,0\n"));
+  EXPECT_EQ(":3: has 6 cells, the header 3, allowed: the same number, with decimal points", survey_refusal(header + "0,0,0\n30,0,1,5,297,0\n"));
   EXPECT_NE("", survey_refusal(header + "0,0,0,0\n30,1,297,0\n")) << "a nought is a number, too";
   EXPECT_EQ("", survey_refusal(header + "0,0,0,,\n30,1,297,\n")) << "as spreadsheets fill up";
 }
