@@ -87,7 +87,7 @@ class File(test_campaign_parts.Folder):
         with mock.patch.object(command, "KEEP_EVERY", 0.0), mock.patch.object(command, "SHORT_PATIENCE", 0.1), redirect_stderr(told):
             for key in ("k1", "k2"):
                 kept.take(key, [1.0], ("good", "", {"x": 2.0}, 0.1, "w"))
-        self.assertEqual("drill_campaign: %s: another program reads or writes it and holds it locked: results wait\n" % results.file, told.getvalue())
+        self.assertEqual("drill_campaign: %s: another program reads or writes it and holds it locked: results are written later\n" % results.file, told.getvalue())
         with self.assertRaises(Locked):
             kept.keep(patience=0.1)
         other.rollback()

@@ -205,7 +205,7 @@ class Records(unittest.TestCase):
                            ({"table": {"file": "x"}}, "record or table"), ({"held_out": 2}, "up to 0.9"), ({"signals": ["rop"]}, "allowed: hook_load"),
                            ({"parameters": [{"name": "a", "start": -1, "key": "mud.density"}]}, "nothing can be predicted at the parameters"),
                            ({"parameters": [{"name": "a", "start": 1, "key": "formation[0].drilability", "times": True}]}, "parameters[0]: formation[0].drilability: the scene does not"),
-                           ({"parameters": [{"name": "a", "start": 1, "key": "mud.density"}] * 2}, "the same place"), ({"from": 1000.0}, "has 0 rows"), ({"leave_out": "0:1000"}, "leave no number to compare"),
+                           ({"parameters": [{"name": "a", "start": 1, "key": "mud.density"}] * 2}, "are the same key"), ({"from": 1000.0}, "has 0 rows"), ({"leave_out": "0:1000"}, "leave no number to compare"),
                            ({"signals": ["torque"]}, "hook_load: is not fitted")):
             status, _, told = calibrate(made_record.write_fit(self.folder, **more))
             self.assertEqual((2, 1), (status, told.count("\n")), told)

@@ -114,7 +114,7 @@ class Survey(unittest.TestCase):
             self.refused(LoadSurveyRequest(file=file, columns=columns + "x"), "map.yamlx")
             answer = self.rig.load_survey(LoadSurveyRequest(file=file, columns=columns, pass_over=True))
         self.assertTrue(answer.success, answer.message)
-        self.assertIn("passed over: line 4", answer.message)
+        self.assertIn("skipped: line 4", answer.message)
         self.assertAlmostEqual(304.8, self.rig.advance(1).hole_depth, places=6)
 
     def test_no_file_no_stations_both_and_lists_of_different_length(self):

@@ -112,7 +112,7 @@ class OfTheTrade(Files):
         done = drill("check", scene)
         self.assertEqual(0, done.returncode, done.stderr)
         self.assertIn("3 stations to 762 m", done.stdout)
-        self.assertIn("passed over: line 4", done.stderr)
+        self.assertIn("skipped: line 4", done.stderr)
         # a campaign's runs have the survey beside them, in a folder of their own
         text = read_text(scene)
         self.assertEqual(os.path.join(self.folder, "ft.csv"), survey_file(text, scene))
