@@ -194,7 +194,7 @@ std::string Services::load_survey(const LoadSurvey::Request& request)
 std::string Services::forget_states_of_another(const Scene& next)
 {
   if (saved_.count() == 0 || scene_hash(next) == scene_hash(running_)) return {};
-  std::string said = "; " + std::to_string(saved_.count()) + " saved states of the previous rig were deleted";
+  std::string said = "; saved states of the previous rig that were deleted: " + std::to_string(saved_.count());
   saved_.clear();
   return said;
 }

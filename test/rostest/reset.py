@@ -73,7 +73,7 @@ class Reset(unittest.TestCase):
         for scene in ("", "quick.yaml"):
             self.assertNotIn("forgotten", self.rig.reset_well(scene, 0.0).message)
             self.assertEqual(["one", "two"], self.rig.list_states().names)
-        self.assertIn("; 2 saved states of the previous rig were deleted", self.rig.reset_well("", 80.0).message)
+        self.assertIn("; saved states of the previous rig that were deleted: 2", self.rig.reset_well("", 80.0).message)
         self.assertEqual([], self.rig.list_states().names)
         self.assertNotIn("forgotten", self.rig.reset_well("", 0.0).message)
 
