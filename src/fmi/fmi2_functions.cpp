@@ -126,7 +126,7 @@ FMI_EXPORT fmi2Component fmi2Instantiate(fmi2String name, fmi2Type type, fmi2Str
       if (guid == nullptr || drill_rig_sim::fmi::guid() != guid)
         throw std::runtime_error("modelDescription.xml and the library are not of the same FMU: the guid must be " + drill_rig_sim::fmi::guid());
       if (resources == nullptr) throw std::runtime_error("the location of the resources must be given: scene.yaml lies there");
-      i->rig = std::make_unique<FmuRig>(path_of(resources) + "/scene.yaml");
+      i->rig = std::make_unique<FmuRig>(path_of(resources));
     }
     catch (const std::exception& error)
     {

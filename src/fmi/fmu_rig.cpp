@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <iomanip>
 #include <sstream>
 #include <stdexcept>
 
 #include "drill_rig_sim/scene/read_scene.h"
+#include "drill_rig_sim/scene/write_scene.h"
 #include "drill_rig_sim/sim/requests.h"
 #include "drill_rig_sim/sim/run.h"
 
@@ -41,17 +44,44 @@ long frames_of(double duration, double rate)
   text << "the communication step must be a whole number of frames of " << 1.0 / rate << " s, at most " << longest_step << " s (got " << duration << " s)";
   throw std::runtime_error(text.str());
 }
+constexpr char scene_name[] = "/scene.yaml", rate_name[] = "/rate";
+
+double read_rate(const std::string& file)
+{
+  double rate = 0.0;
+  if (!(std::ifstream(file) >> rate)) throw std::runtime_error(file + ": must hold the frames a second");
+  return rate;
+}
+
+void write(const std::string& file, const std::string& text)
+{
+  std::ofstream out(file);
+  out << text;
+  out.close();
+  if (!out) throw std::runtime_error(file + " could not be written whole; is the disk full?");
+}
 }  // namespace
 
-FmuRig::FmuRig(const std::string& scene_file) : scene_(read_scene(scene_file))
+void write_resources(const std::string& resources, const Scene& scene, double rate)
+{
+  write(resources + scene_name, write_scene(scene));
+  std::ostringstream text;
+  text << std::setprecision(17) << rate << "\n";
+  write(resources + rate_name, text.str());
+}
+
+FmuRig::FmuRig(const std::string& scene_file, double rate) : scene_(read_scene(scene_file)), rate_(rate)
 {
   reset();
 }
+
+FmuRig::FmuRig(const std::string& resources) : FmuRig(resources + scene_name, read_rate(resources + rate_name)) {}
 
 void FmuRig::reset()
 {
   simulator_.reset();
   inputs_ = Inputs();
+  inputs_.rate = rate_;
   inputs_.play_program = !scene_.program.empty() || !scene_.operations.empty();
   changed_.fill(false);
   tared_ = fixed_ = false;
@@ -127,8 +157,20 @@ void FmuRig::apply_inputs(std::vector<std::string>& refused)
   const bool any = apply(CommandKind::winch, s.winch, refused) | apply(CommandKind::top_drive, s.top_drive, refused) |
                    apply(CommandKind::mud_pump, s.pump, refused) | apply(CommandKind::steering, s.steering, refused);
   if (any) playing_ = false;
-  if (inputs_.tare && !tared_ && !simulator_->tare()) refused.emplace_back("tare: the bit must be off bottom, and the string on the hook");
+  if (inputs_.tare && !tared_) tare(refused);
   tared_ = inputs_.tare;
+}
+
+void FmuRig::tare(std::vector<std::string>& refused)
+{
+  try
+  {
+    ask_tare(*simulator_);
+  }
+  catch (const std::runtime_error& error)
+  {
+    refused.push_back(std::string("tare: ") + error.what());
+  }
 }
 
 std::vector<std::string> FmuRig::step(double now, double duration)

@@ -19,8 +19,11 @@ namespace drill_rig_sim::fmi
 class FmuRig
 {
 public:
-  /// Reads the scene; the rig is built by begin_initialisation(). Throws SceneError where the file cannot be used.
-  explicit FmuRig(const std::string& scene_file);
+  /// Reads the scene; the rig is built by begin_initialisation(). `rate`: start value of the parameter [1/s].
+  /// Throws SceneError where the file cannot be used.
+  FmuRig(const std::string& scene_file, double rate);
+  /// The same from the files of an FMU's resources, as write_resources() has left them.
+  explicit FmuRig(const std::string& resources);
 
   /// Builds the rig at its start, by the parameters, which may still change. `start`: simulated time of the caller [s].
   void begin_initialisation(double start);
@@ -60,8 +63,10 @@ private:
   template <class Setpoint>
   bool apply(CommandKind kind, const Setpoint& setpoint, std::vector<std::string>& refused);
   void apply_inputs(std::vector<std::string>& refused);
+  void tare(std::vector<std::string>& refused);
 
   Scene scene_;
+  double rate_;
   Inputs inputs_;
   std::array<bool, command_kinds> changed_{};  // inputs of a kind since they were last taken
   bool playing_ = false, tared_ = false;
@@ -71,6 +76,10 @@ private:
   std::optional<Simulator> simulator_;
   ScenePlayer player_;
 };
+
+/// Writes what an FMU's library reads into the folder `resources`: the whole scene, and the start value of the rate [1/s].
+/// Throws std::runtime_error with one line where it cannot be written.
+void write_resources(const std::string& resources, const Scene& scene, double rate);
 
 }  // namespace drill_rig_sim::fmi
 

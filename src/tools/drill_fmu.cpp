@@ -12,7 +12,6 @@
 #include "drill_command.h"
 #include "drill_options.h"
 #include "drill_python.h"
-#include "drill_rig_sim/scene/write_scene.h"
 #include "drill_rig_sim/sim/requests.h"
 #include "drill_scene.h"
 #include "drill_temporary_folder.h"
@@ -41,7 +40,7 @@ void write(const fs::path& file, const std::string& text)
 /// The libraries that an FMU holds: both lie in the folder above the runner's, in the devel space and in an install space.
 void copy_libraries(const fs::path& folder)
 {
-  const fs::path libraries = (fs::read_symlink("/proc/self/exe").parent_path() / "..").lexically_normal();
+  const fs::path libraries = (runner_folder() / "..").lexically_normal();
   for (const std::string name : {"libdrill_rig_sim.so", "libdrill_rig_sim_fmu.so"})
   {
     std::error_code missing;
@@ -58,18 +57,18 @@ void write_fmu(const FmuOptions& options)
   const fs::path top(folder.path());
   fs::create_directories(top / "resources");
   fs::create_directories(top / "binaries/linux64");
-  write(top / "resources/scene.yaml", write_scene(scene));
-  fmi::Inputs start = fmi::FmuRig((top / "resources/scene.yaml").string()).inputs();
-  start.rate = options.rate.value_or(start.rate);
+  const double rate = options.rate.value_or(fmi::Inputs().rate);
   try
   {
-    check_rate(start.rate, scene);
+    check_rate(rate, scene);
   }
   catch (const std::runtime_error& error)
   {
     throw UsageError(std::string("--") + error.what());
   }
-  write(top / "modelDescription.xml", fmi::model_description("drill_rig_sim." + fs::path(options.scene).stem().string(), start));
+  const std::string resources = (top / "resources").string();
+  fmi::write_resources(resources, scene, rate);
+  write(top / "modelDescription.xml", fmi::model_description("drill_rig_sim." + fs::path(options.scene).stem().string(), fmi::FmuRig(resources).inputs()));
   copy_libraries(top / "binaries/linux64");
   if (run_python("fmu_archive", {folder.path(), options.out}) != 0) throw UsageError("--out: " + options.out + " cannot be written");
 }

@@ -14,17 +14,23 @@
 
 namespace drill_rig_sim
 {
+namespace fs = std::filesystem;
+
+fs::path runner_folder()
+{
+  std::error_code unreadable;
+  return fs::read_symlink("/proc/self/exe", unreadable).parent_path();
+}
+
 namespace
 {
-namespace fs = std::filesystem;
 
 /// The folder of Python's packages that belongs to this program: both lie in the devel space, or in one install space.
 /// Throws UsageError where its drill_rig_sim has no such module.
 std::string python_folder(const std::string& module)
 {
   std::error_code unreadable;
-  const fs::path program = fs::read_symlink("/proc/self/exe", unreadable);
-  const fs::path folder = program.parent_path() / DRILL_RIG_SIM_PYTHON_FOLDER;
+  const fs::path folder = runner_folder() / DRILL_RIG_SIM_PYTHON_FOLDER;
   const fs::path file = folder / "drill_rig_sim" / (module + ".py");
   if (!fs::exists(file, unreadable))
     throw UsageError(file.lexically_normal().string() + " is missing; build or install the complete package");

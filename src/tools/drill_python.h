@@ -2,12 +2,16 @@
 #define DRILL_RIG_SIM_SRC_TOOLS_DRILL_PYTHON_H
 
 #include <initializer_list>
+#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace drill_rig_sim
 {
+/// The folder of this program; empty where the system does not say it.
+std::filesystem::path runner_folder();
+
 /// Becomes Python, which runs a module of drill_rig_sim with these words and whose exit status is the runner's. Throws UsageError where package or Python is missing.
 [[noreturn]] void become_python(const std::string& module, const std::vector<std::string>& words);
 

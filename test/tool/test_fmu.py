@@ -101,7 +101,7 @@ class Fmus(unittest.TestCase):
 
     def test_the_archive_and_its_description(self):
         with zipfile.ZipFile(self.file) as content:
-            self.assertEqual({"modelDescription.xml", "resources/scene.yaml", "binaries/linux64/drill_rig_sim_fmu.so", "binaries/linux64/libdrill_rig_sim.so"},
+            self.assertEqual({"modelDescription.xml", "resources/scene.yaml", "resources/rate", "binaries/linux64/drill_rig_sim_fmu.so", "binaries/linux64/libdrill_rig_sim.so"},
                              set(content.namelist()))
         top = xml.parse(os.path.join(self.folder, "modelDescription.xml")).getroot()
         self.assertEqual(("2.0", "drill_rig_sim.quick"), (top.get("fmiVersion"), top.get("modelName")))
@@ -135,6 +135,20 @@ class Fmus(unittest.TestCase):
             self.assertEqual(getattr(state.truth, name), outputs["truth." + name], name)
         self.assertEqual(state.bit.wob, outputs["truth.wob"])
         self.assertNotEqual(0.0, outputs["truth.bit_speed"])
+
+    def test_the_rate_of_the_command_line_holds_where_the_importer_sets_none(self):
+        with tempfile.TemporaryDirectory() as folder:
+            subprocess.run([drill_program, "fmu", QUICK, "--out", os.path.join(folder, "rig.fmu"), "--rate", "50"], check=True)
+            with zipfile.ZipFile(os.path.join(folder, "rig.fmu")) as content:
+                content.extractall(folder)
+            fmu, rig = Fmu(folder).begin(play_program=False), Simulator(QUICK, rate=50.0)
+            self.addCleanup(fmu.call, "FreeInstance")
+            self.assertEqual(50.0, fmu.get("rate"))
+            fmu.step(0.01, ERROR)
+            self.drilling(fmu, 3.0)
+            rig.rotate(rpm=90)
+            rig.winch(-0.02)
+            self.assertEqual(rig.step(3.0).truth.torque, fmu.get("truth.torque"))
 
     def test_a_state_is_gone_back_to(self):
         fmu = self.fmu()
