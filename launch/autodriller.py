@@ -9,7 +9,7 @@ speed = 0.0  # of the block, downwards [m/s]
 
 def feed(state):  # with every frame, 100 times a simulated second
     global speed
-    missing = 10e3 - state.surface_wob  # weight on bit: what the hook load is below its tare [N]
+    missing = 10e3 - state.surface_wob  # weight on bit: how far the hook load is below its zero [N]
     speed = min(max(speed + 5e-9 * missing, 0.0), 0.015)
     winch.publish(WinchCommand(block_velocity=-speed))
 
@@ -21,6 +21,6 @@ top_drive = rospy.Publisher("top_drive/command", TopDriveCommand, queue_size=1, 
 top_drive.publish(TopDriveCommand(mode=TopDriveCommand.SPEED, speed=9.4))  # [rad/s], 90 rpm
 rospy.wait_for_service("tare")
 rospy.sleep(8.0)
-rospy.ServiceProxy("tare", Trigger)()  # the hook load off bottom, on the way down, when it rings no more: else the block's rail carries another share
+rospy.ServiceProxy("tare", Trigger)()  # zero the hook load off bottom, moving down: at rest the rail friction is another
 rospy.Subscriber("rig_state", RigState, feed, queue_size=1)
 rospy.spin()

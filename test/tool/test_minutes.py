@@ -3,6 +3,7 @@
 import importlib.machinery
 import importlib.util
 import os
+import re
 import subprocess
 import sys
 import unittest
@@ -43,6 +44,13 @@ class Phases(unittest.TestCase):
     def test_names_are_those_that_the_command_takes(self):
         self.assertEqual(['test_sim_crew', 'rostest_faults', 'stability'],
                          [minutes.plain(name) for name in ('_ctest_drill_rig_sim_gtest_test_sim_crew', '_ctest_drill_rig_sim_rostest_test_rostest_faults.test', 'stability')])
+
+
+class Fault(unittest.TestCase):
+    def test_the_line_that_it_changes_is_there(self):
+        wanted, path = re.match(r"sed -i 's/([^/]*)/[^/]*/' (\S+) ", minutes.FAULT).groups()
+        with open(os.path.join(minutes.SOURCE, path)) as file:
+            self.assertEqual(1, file.read().count(wanted), wanted)
 
 
 class Tables(unittest.TestCase):

@@ -121,7 +121,7 @@ class Template(unittest.TestCase):
         for number, _, block, key in walk(lines):
             default = re.search(r'(^|; )default ([^;]+)', table[block][key])
             value = re.match(r' *(?:- )?\w+: ([^#{[]+)$', lines[number])
-            as_default = '0: as by default' in table[block][key]
+            as_default = '0: the default' in table[block][key]
             if value and default and not lines[number].startswith('#') and key not in OTHERWISE and not as_default:
                 self.assertTrue(same(value.group(1).strip(), default.group(2).split(',')[0]), '%s: %s' % (key, table[block][key]))
 
