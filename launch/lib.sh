@@ -1,6 +1,7 @@
 # Shared by launch/demo and test/run: the apt packages and the environment; the build is build.sh. Sourced, not run.
 
-# The only list of what the package needs on Debian 12.
+# The only list of what the package needs, by the names of Debian 12; differences of other releases stand below it.
+debian_releases="12 13"
 packages_build="g++ make cmake catkin ros-std-msgs ros-geometry-msgs libdiagnostic-msgs-dev libdiagnostic-updater-dev libgeometry-msgs-dev
   libnav-msgs-dev librosbag-storage-dev libroscpp-dev libroslib-dev libros-rosgraph-msgs-dev libsensor-msgs-dev libstd-srvs-dev libtf2-msgs-dev libtf2-ros-dev
   libvisualization-msgs-dev libeigen3-dev libsuitesparse-dev libsundials-dev libyaml-cpp-dev libtinyxml2-dev libcli11-dev nlohmann-json3-dev libspectra-dev libhwy-dev libgtest-dev
@@ -9,13 +10,18 @@ packages_run="python3-numpy python3-matplotlib python3-rospy python3-roslaunch p
   python3-std-srvs python3-tf2-msgs python3-visualization-msgs python3-yaml"
 packages_web="python3-aiohttp libjs-chart.js python3-rosbag"
 packages_browser="chromium chromium-driver python3-selenium"
-packages_rviz="rviz librviz-dev libqwt-qt5-dev"
+packages_rviz="rviz librviz-dev qtbase5-dev libqwt-qt5-dev"
 packages_test="catkin-lint python3-rosbag python3-rostest xvfb xauth imagemagick python3-yaml valgrind"
 packages_campaign="python3-distributed python3-scipy python3-lxml openssl procps"
 packages_tidy="clang-tidy"
 packages_fuzz="clang libclang-rt-dev"
 packages_neon="g++-aarch64-linux-gnu qemu-user"
 packages_manual="python3-sphinx python3-myst-parser python3-breathe doxygen furo libjs-mathjax fonts-mathjax"
+
+debian=$(. /etc/os-release 2>/dev/null; [ "${ID:-}" != debian ] || echo "${VERSION_ID:-}")  # 12 for example; empty: another system
+case "$debian" in
+  13) packages_rviz="rviz" ;;  # it has Qt 6, for which Debian has no Qwt: the plug-ins are left out
+esac
 
 package_dir=$(cd -P "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 . "$package_dir/launch/build.sh"
@@ -57,8 +63,11 @@ say_size()
 install_packages()
 {
   local missing apt
-  if [ -n "${ROS_DISTRO:-}" ] || ! (. /etc/os-release && [ "$ID $VERSION_ID" = "debian 12" ]); then
-    say "this is not plain Debian 12: installing nothing, using what is there"
+  if [ -n "${ROS_DISTRO:-}" ]; then
+    say "a ROS $ROS_DISTRO environment is loaded: installing nothing, using what is there"
+    return 0
+  elif [ -z "$debian" ] || [[ " $debian_releases " != *" $debian "* ]]; then
+    say "this is not Debian ${debian_releases// / or }: installing nothing, using what is there"
     return 0
   fi
   missing=$(missing_packages "$@")

@@ -1,6 +1,5 @@
 #include "drill_rig_sim/compared/arkode_stepper.h"
 
-#include <arkode/arkode_arkstep.h>
 #include <nvector/nvector_serial.h>
 #include <sunnonlinsol/sunnonlinsol_newton.h>
 
@@ -14,8 +13,12 @@
 #include "drill_rig_sim/model/forces/inertia.h"
 #include "drill_rig_sim/model/forces/top_drive.h"
 #include "drill_rig_sim/solve/methods/method.h"
-#include "drill_rig_sim/solve/sundials_owners.h"
 #include "drill_rig_sim/solve/vector_operations.h"
+#include "../solve/sundials.h"
+
+// SUNDIALS 7.1 has new names (ARKodeSet...) for these functions, and 6 has the old names only.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wdeprecated-declarations"
 
 namespace drill_rig_sim
 {
@@ -97,11 +100,10 @@ ArkodeStepper::Session::Session(const Model& m, Stage& s, Workspace& w)
 {
   tangent_.resize(model.nodes(), model.kernel());
   limits.tolerance = model.scene().numerics.newton_tolerance;
-  SUNContext context = nullptr;
-  if (SUNContext_Create(nullptr, &context) != 0) throw std::runtime_error("ARKODE: SUNDIALS gives no context");
-  context_.reset(context);
+  context_ = new_context();
+  if (!context_) throw std::runtime_error("ARKODE: SUNDIALS gives no context");
   table_.reset(ARKodeButcherTable_LoadDIRK(ARKODE_TRBDF2_3_3_2));
-  y_.reset(N_VNew_Serial(2 * size(), context));
+  y_.reset(N_VNew_Serial(2 * size(), context_.get()));
   if (!table_ || !y_) throw std::runtime_error("ARKODE: SUNDIALS gives no table or vector");
   stages_.resize(static_cast<std::size_t>(table_->stages));
   vectorise_operations(y_.get());
@@ -119,7 +121,7 @@ void ArkodeStepper::Session::create()
   void* const arkode = memory_.get();
   bool good = arkode != nullptr;
   auto set = [&good](int flag) { good = good && flag == ARK_SUCCESS; };
-  set(ARKStepSetErrHandlerFn(arkode, silent, nullptr));  // the flag tells
+  silence_arkode(arkode);
   set(ARKStepSetUserData(arkode, this));
   set(ARKStepSetTables(arkode, table_->q, table_->p, table_.get(), nullptr));
   set(ARKStepSetInterpolantType(arkode, ARK_INTERP_LAGRANGE));  // Hermite's would take one more residual a step
@@ -314,13 +316,13 @@ int ArkodeStepper::Session::solve(const double* r, double* d) noexcept
   increment_ = d_u.cwiseAbs().maxCoeff();
   if (increment_ > limits.max_increment) d_u *= limits.max_increment / increment_;
   d_v = c_ * (d_u - ConstVector(r, size()));
-  return SUNLS_SUCCESS;
+  return kSundialsSuccess;
 }
 
 int ArkodeStepper::Session::judge() noexcept
 {
   const double increment = std::exchange(increment_, 0.0);  // no solution: the right-hand side was zero
-  if (newton_converged(increment, increment_before_, limits)) return SUN_NLS_SUCCESS;
+  if (newton_converged(increment, increment_before_, limits)) return kSundialsSuccess;
   increment_before_ = increment;
   return iterations < budget_ ? SUN_NLS_CONTINUE : SUN_NLS_CONV_RECVR;
 }
@@ -356,3 +358,5 @@ StepResult ArkodeStepper::attempt(State& state, double step, const Setpoints& se
 }
 
 }  // namespace drill_rig_sim
+
+#pragma GCC diagnostic pop

@@ -1,6 +1,5 @@
 #include "drill_rig_sim/reference/ida_solver.h"
 
-#include <ida/ida.h>
 #include <nvector/nvector_serial.h>
 #include <sunlinsol/sunlinsol_klu.h>
 #include <sunmatrix/sunmatrix_sparse.h>
@@ -12,7 +11,7 @@
 #include <stdexcept>
 
 #include "drill_rig_sim/solve/vector_operations.h"
-#include "drill_rig_sim/solve/sundials_owners.h"
+#include "../solve/sundials.h"
 
 namespace drill_rig_sim
 {
@@ -118,7 +117,7 @@ bool IdaSolver::Session::set_linear_solver(double t)
 void IdaSolver::Session::set_options()
 {
   void* ida = memory.get();
-  IDASetErrHandlerFn(ida, silent, nullptr);  // the flag tells
+  silence_ida(ida);
   IDASetUserData(ida, this);
   IDAWFtolerances(ida, weight_callback);
   IDASetId(ida, id.get());
@@ -197,9 +196,9 @@ IdaStatistics IdaSolver::Session::current() const
 
 IdaSolver::IdaSolver(DaeProblem& problem, const IdaOptions& options) : session_(std::make_unique<Session>(problem, options))
 {
-  SUNContext context = nullptr;
-  if (SUNContext_Create(nullptr, &context) != 0) throw std::runtime_error("IDA: SUNDIALS could not create a context");
-  session_->context.reset(context);
+  session_->context = new_context();
+  SUNContext const context = session_->context.get();
+  if (!context) throw std::runtime_error("IDA: SUNDIALS could not create a context");
   const auto n = static_cast<sunindextype>(problem.size());
   session_->y.reset(N_VNew_Serial(n, context));
   vectorise_operations(session_->y.get());

@@ -8,14 +8,14 @@ namespace
 {
 const UnitFamily& lengths()
 {
-  static const UnitFamily& family = units_of_quantity("length");
-  return family;
+  static const UnitFamily* const family = &units_of_quantity("length");
+  return *family;
 }
 
 const UnitFamily& angles()
 {
-  static const UnitFamily& family = units_of_quantity("angle");
-  return family;
+  static const UnitFamily* const family = &units_of_quantity("angle");
+  return *family;
 }
 
 // letters and signs only: "US ft" and "ft." are "usft" and "ft"

@@ -1,13 +1,12 @@
 #include "drill_rig_sim/solve/kinsol_equilibrium.h"
 
-#include <kinsol/kinsol.h>
 #include <nvector/nvector_serial.h>
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
 
-#include "drill_rig_sim/solve/sundials_owners.h"
+#include "sundials.h"
 
 namespace drill_rig_sim
 {
@@ -29,11 +28,11 @@ int residual_callback(N_Vector u, N_Vector f, void* data)
   return 0;
 }
 
-int solve_callback(SUNLinearSolver solver, SUNMatrix, N_Vector x, N_Vector b, realtype)
+int solve_callback(SUNLinearSolver solver, SUNMatrix, N_Vector x, N_Vector b, double)
 {
   auto* session = static_cast<Session*>(solver->content);
   N_VScale(1.0, b, x);
-  return session->problem->solve_tangent(session->last_u.data(), N_VGetArrayPointer(x)) ? SUNLS_SUCCESS : SUNLS_PACKAGE_FAIL_REC;
+  return session->problem->solve_tangent(session->last_u.data(), N_VGetArrayPointer(x)) ? kSundialsSuccess : SUNLS_PACKAGE_FAIL_REC;
 }
 
 SUNLinearSolver_Type type_callback(SUNLinearSolver)
@@ -43,17 +42,17 @@ SUNLinearSolver_Type type_callback(SUNLinearSolver)
 
 int products_callback(SUNLinearSolver, void*, SUNATimesFn)
 {
-  return SUNLS_SUCCESS;  // products with the matrix are not needed
+  return kSundialsSuccess;  // products with the matrix are not needed
 }
 
 int initialize_callback(SUNLinearSolver)
 {
-  return SUNLS_SUCCESS;
+  return kSundialsSuccess;
 }
 
 int setup_callback(SUNLinearSolver, SUNMatrix)
 {
-  return SUNLS_SUCCESS;
+  return kSundialsSuccess;
 }
 
 int iterations_callback(SUNLinearSolver)
@@ -61,7 +60,7 @@ int iterations_callback(SUNLinearSolver)
   return 1;
 }
 
-realtype norm_callback(SUNLinearSolver)
+double norm_callback(SUNLinearSolver)
 {
   return 0.0;
 }
@@ -76,14 +75,13 @@ KinsolOutcome kinsol_solve(const NonlinearProblem& problem, double tolerance, in
 {
   KinsolOutcome out;
   const auto n = static_cast<sunindextype>(u.size());
-  SUNContext raw_context = nullptr;
-  if (SUNContext_Create(nullptr, &raw_context) != 0) return out;
-  const OwnedContext context(raw_context);
-  const OwnedVector x(N_VMake_Serial(n, u.data(), raw_context));
-  const OwnedVector ones(N_VNew_Serial(n, raw_context));
+  const OwnedContext context = new_context();
+  if (!context) return out;
+  const OwnedVector x(N_VMake_Serial(n, u.data(), context.get()));
+  const OwnedVector ones(N_VNew_Serial(n, context.get()));
   N_VConst(1.0, ones.get());
   Session session{&problem, u};
-  const OwnedLinearSolver linear(SUNLinSolNewEmpty(raw_context));
+  const OwnedLinearSolver linear(SUNLinSolNewEmpty(context.get()));
   linear->content = &session;
   linear->ops->gettype = type_callback;
   linear->ops->setatimes = products_callback;
@@ -94,9 +92,9 @@ KinsolOutcome kinsol_solve(const NonlinearProblem& problem, double tolerance, in
   linear->ops->solve = solve_callback;
   linear->ops->free = free_without_content;
 
-  const std::unique_ptr<void, FreeKinsol> memory(KINCreate(raw_context));
+  const std::unique_ptr<void, FreeKinsol> memory(KINCreate(context.get()));
   void* kinsol = memory.get();
-  KINSetErrHandlerFn(kinsol, silent, nullptr);  // the outcome tells
+  silence_kinsol(kinsol);
   KINSetUserData(kinsol, &session);
   KINInit(kinsol, residual_callback, x.get());
   if (KINSetLinearSolver(kinsol, linear.get(), nullptr) != KINLS_SUCCESS) return out;

@@ -41,10 +41,10 @@ void write(const fs::path& file, const std::string& text)
 void copy_libraries(const fs::path& folder)
 {
   const fs::path libraries = (runner_folder() / "..").lexically_normal();
-  for (const std::string name : {"libdrill_rig_sim.so", "libdrill_rig_sim_fmu.so"})
+  for (const std::string name : {DRILL_RIG_SIM_SONAME, "libdrill_rig_sim_fmu.so"})
   {
     std::error_code missing;
-    const fs::path to = folder / (name == "libdrill_rig_sim.so" ? name : std::string(fmi::model_identifier) + ".so");
+    const fs::path to = folder / (name == DRILL_RIG_SIM_SONAME ? name : std::string(fmi::model_identifier) + ".so");
     fs::copy_file(libraries / name, to, missing);
     if (missing) throw UsageError((libraries / name).string() + " cannot be copied: " + missing.message() + "; build or install the package whole");
   }

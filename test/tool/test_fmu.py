@@ -101,7 +101,7 @@ class Fmus(unittest.TestCase):
 
     def test_the_archive_and_its_description(self):
         with zipfile.ZipFile(self.file) as content:
-            self.assertEqual({"modelDescription.xml", "resources/scene.yaml", "resources/rate", "binaries/linux64/drill_rig_sim_fmu.so", "binaries/linux64/libdrill_rig_sim.so"},
+            self.assertEqual({"modelDescription.xml", "resources/scene.yaml", "resources/rate", "binaries/linux64/drill_rig_sim_fmu.so", "binaries/linux64/libdrill_rig_sim.so.0.3"},
                              set(content.namelist()))
         top = xml.parse(os.path.join(self.folder, "modelDescription.xml")).getroot()
         self.assertEqual(("2.0", "drill_rig_sim.quick"), (top.get("fmiVersion"), top.get("modelName")))
