@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "drill_rig_sim/crew/refusals.h"
 #include "drill_rig_sim/crew/rig_controls.h"
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/rig/drive_reference.h"
@@ -26,6 +27,14 @@ TopDriveMode mode_of(const ProgramStep& step, TopDriveMode before) noexcept
   if (is_set(step.top_drive_angle)) return goal_of(before) == DriveGoal::swing ? before : TopDriveMode::angle;
   if (is_set(step.top_drive_torque)) return TopDriveMode::torque;
   return is_set(step.top_drive_speed) && !keeps_speed(before) ? TopDriveMode::speed : before;
+}
+
+/// A command that is locked ends the run: what follows it in the program would be another run than the one that was written.
+template <class Setpoint>
+void give(const Setpoint& setpoint, RigControls& rig) noexcept
+{
+  const CommandResult result = rig.command(setpoint);
+  if (result.outcome == CommandResult::Outcome::refused) rig.fail(result.reason);
 }
 
 Ramp ramp_of(const ProgramStep& step, double from, double to) noexcept
@@ -88,7 +97,7 @@ void ProgramPlayer::begin(const ProgramStep& step, RigControls& rig) noexcept
     SteeringSetpoint steering = rig.asked().steering;
     if (is_set(step.steering_toolface)) steering.toolface = step.steering_toolface;
     if (is_set(step.steering_ratio)) steering.ratio = step.steering_ratio;
-    rig.command(steering);
+    give(steering, rig);
   }
   if (step.free == 1.0) rig.free_pipe();
   const Gauge gauge = static_cast<Gauge>(std::max(0, step.fault_gauge));
@@ -117,7 +126,7 @@ void ProgramPlayer::begin_winch(const ProgramStep& step, RigControls& rig) noexc
   }
   if (is_set(step.brake)) winch.brake = step.brake != 0.0;
   if (winch.brake) block_velocity_.running = false;
-  rig.command(winch);
+  give(winch, rig);
 }
 
 void ProgramPlayer::begin_top_drive(const ProgramStep& step, RigControls& rig) noexcept
@@ -145,7 +154,7 @@ void ProgramPlayer::begin_top_drive(const ProgramStep& step, RigControls& rig) n
   if (is_set(step.torque_limit)) drive.torque_limit = step.torque_limit;
   drive.brake = step.top_drive_brake == 1.0;
   if (drive.brake) top_drive_speed_.running = top_drive_torque_.running = false;
-  rig.command(drive);
+  give(drive, rig);
 }
 
 void ProgramPlayer::follow(double now, RigControls& rig) noexcept
@@ -159,12 +168,12 @@ void ProgramPlayer::follow(double now, RigControls& rig) noexcept
     return moves;
   };
   WinchSetpoint winch = in_force.winch;
-  if (move(block_velocity_, winch.block_velocity)) rig.command(winch);
+  if (move(block_velocity_, winch.block_velocity)) give(winch, rig);
   TopDriveSetpoint drive = in_force.top_drive;
   const bool by_speed = move(top_drive_speed_, drive.speed), by_torque = move(top_drive_torque_, drive.torque);
-  if (by_speed || by_torque) rig.command(drive);
+  if (by_speed || by_torque) give(drive, rig);
   PumpSetpoint pump = in_force.pump;
-  if (move(flow_, pump.flow)) rig.command(pump);
+  if (move(flow_, pump.flow)) give(pump, rig);
 }
 
 }  // namespace drill_rig_sim

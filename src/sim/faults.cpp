@@ -1,18 +1,9 @@
 #include "drill_rig_sim/sim/faults.h"
 
-#include "drill_rig_sim/crew/rig_controls.h"
-
-#include <cmath>
-
 #include "drill_rig_sim/model/forces/place_drag.h"
 
 namespace drill_rig_sim
 {
-bool is_in_hole(double md, double bit_depth) noexcept
-{
-  return md > 0.0 && md <= bit_depth;
-}
-
 void stick_pipe(const Model& model, double bit_depth, double md, State& state) noexcept
 {
   const int nearest = nearest_node(model, bit_depth, md);
@@ -23,20 +14,6 @@ void stick_pipe(const Model& model, double bit_depth, double md, State& state) n
 void free_pipe(State& state) noexcept
 {
   state.stuck_point = HeldNode();
-}
-
-const char* what_is_wrong(const Model& model, double bit_depth, double hole_depth, const Fault& fault) noexcept
-{
-  const bool by_reference = model.scene().numerics.integrator == IntegratorKind::ida;
-  const FaultPlace place = traits_of(fault.kind).place;
-  if (by_reference && !traits_of(fault.kind).by_ida) return "fault: not available by integrator ida";
-  if (needs_pipe(fault.kind) && !is_in_hole(fault.depth, bit_depth)) return no_pipe_there;
-  if (place == FaultPlace::in_hole && !(fault.depth > 0.0 && fault.depth <= hole_depth))
-    return "depth: allowed is a place of the hole, above 0 (the rotary table) and not below its bottom";
-  if (place == FaultPlace::from_there_down && !(fault.depth >= 0.0 && fault.depth <= hole_depth))
-    return "depth: allowed is 0 (all of the hole) to the hole's bottom";
-  if (fault.kind == FaultKind::motor_stall && !model.motor()) return "fault: there is no mud motor in the string";
-  return what_is_wrong_with_magnitude(fault);
 }
 
 namespace

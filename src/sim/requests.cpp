@@ -6,6 +6,7 @@
 #include <string>
 
 #include "drill_rig_sim/crew/connection.h"
+#include "drill_rig_sim/crew/refusals.h"
 #include "drill_rig_sim/sim/choice.h"
 #include "drill_rig_sim/sim/faults.h"
 

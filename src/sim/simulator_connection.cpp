@@ -57,26 +57,39 @@ bool same_below(const Mesh& a, const Mesh& b, int i) noexcept
 
 const char* Simulator::locked(const WinchSetpoint& c) const noexcept
 {
-  return impl_->broken_out_by_hand() && moves(c) ? "the connection is broken out: the crew moves the block until it is made up" : nullptr;
+  return impl_->state.crew.doing == CrewTask::none ? why_locked(c, impl_->at_table()) : nullptr;
 }
 
 const char* Simulator::locked(const TopDriveSetpoint& c) const noexcept
 {
-  const bool in_slips = impl_->state.mechanics.slips.node >= 0 && impl_->state.crew.doing == CrewTask::none;
-  return in_slips && turns(c) ? "the string is in the slips: the top drive is locked, allowed: at rest" : nullptr;
+  return impl_->state.crew.doing == CrewTask::none ? why_locked(c, impl_->at_table()) : nullptr;
 }
 
 const char* Simulator::locked(const PumpSetpoint& c) const noexcept
 {
-  return impl_->broken_out_by_hand() && c.flow > 0.0 ? "the connection is broken out: the pump is locked, allowed: 0" : nullptr;
+  return impl_->state.crew.doing == CrewTask::none ? why_locked(c, impl_->at_table()) : nullptr;
+}
+
+StringAtTable Simulator::Impl::at_table() const noexcept
+{
+  const State& now = shown();
+  const Setpoints set = state.commands.in_force();
+  const bool bounces = scene.rig.heave.amplitude == 0.0 && std::abs(block_velocity(now)) > standing_block;  // in waves it always does
+  StringAtTable at;
+  at.by_reference = scene.numerics.integrator == IntegratorKind::ida;
+  at.in_slips = now.slips.node >= 0;
+  at.broken_out = state.connection.under_way;
+  at.block_moves = std::abs(now.hoist.winch_speed) > standing_winch || (!at.in_slips && bounces);
+  at.block_commanded = moves(set.winch);
+  at.top_drive_turns = std::abs(now.drive.speed) > standing_rotor || (!at.in_slips && turns(set.top_drive));
+  at.pump_runs = set.pump.flow > 0.0 || now.hydraulics.pump_flow > 0.0;
+  return at;
 }
 
 const char* Simulator::Impl::pull_slips() noexcept
 {
-  const State& now = shown();
-  if (now.slips.node < 0) return "slips: the slips are not set";
-  if (state.connection.under_way) return "slips: the connection is broken out, it must be made up first";
-  if (slips_load(now) > most_slips_load) return "slips: the slips carry the string, allowed: up to 5 kN, pick up first";
+  if (const char* refused = why_slips_are_not_pulled(at_table())) return refused;
+  if (slips_load(shown()) > most_slips_load) return "slips: the slips carry the string, allowed: up to 5 kN, pick up first";
   release_slips();
   lead([](Impl& companion) { companion.release_slips(); });
   return nullptr;
@@ -91,14 +104,8 @@ void Simulator::Impl::release_slips() noexcept
 /// Under a joint's end.
 const char* Simulator::Impl::set_slips(int joint) noexcept
 {
-  const State& now = shown();
-  if (scene.numerics.integrator == IntegratorKind::ida) return "slips: not available with the reference (ida), allowed: the other integrators";
-  if (now.slips.node >= 0) return "slips: the slips are already set";
+  if (const char* refused = why_slips_are_not_set(at_table())) return refused;
   if (joint < 0) return "slips: there is no joint of pipe below the shaft";
-  const bool bounces = scene.rig.heave.amplitude == 0.0 && std::abs(block_velocity(now)) > standing_block;  // in waves it always does
-  if (std::abs(now.hoist.winch_speed) > standing_winch || bounces)
-    return "slips: the block moves, allowed: at rest";
-  if (std::abs(now.drive.speed) > standing_rotor || turns(state.commands.in_force().top_drive)) return "slips: the top drive turns, allowed: at rest";
   grip(joint);
   const double from_bit = model->mesh().nodes[static_cast<std::size_t>(joint)].from_bit;
   lead([from_bit](Impl& companion) { companion.grip(nearest_joint(companion.model->mesh(), from_bit)); });
@@ -131,12 +138,8 @@ const char* Simulator::Impl::make_connection(int joints, bool remove) noexcept
   const State& now = shown();
   const PartSpec& pipe = scene.string.back();
   const int count = joints > 0 ? joints : hoisting.stand_joints;
-  if (now.slips.node < 0) return "connection: the slips are not set";
-  if (state.connection.under_way) return "connection: a connection is already under way";
+  if (const char* refused = why_no_connection(at_table())) return refused;
   if (now.stuck_point.node > now.slips.node) return "connection: the pipe is stuck above the slips";
-  if (state.commands.in_force().pump.flow > 0.0 || now.hydraulics.pump_flow > 0.0) return "connection: the pump runs, allowed: off";
-  if (std::abs(now.drive.speed) > standing_rotor) return "connection: the top drive turns, allowed: at rest";
-  if (std::abs(now.hoist.winch_speed) > standing_winch || moves(state.commands.in_force().winch)) return "connection: the block moves, allowed: at rest";
   if (rest_load() > most_rest_load) return "connection: the hook carries more than block and pipe above the slips, allowed: up to 10 kN more, slack off first";
   if (shown_forces().hook_load < most_rest_load) return "connection: the block rests on the pipe, allowed: only on its lines, pick up first";
   if (remove && count >= joints_below_stump(model->mesh(), scene)) return "connection: the string does not have as many joints";

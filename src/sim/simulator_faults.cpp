@@ -1,4 +1,5 @@
 // What goes wrong while a simulator runs, between its frames.
+#include "drill_rig_sim/crew/refusals.h"
 #include "drill_rig_sim/sim/faults.h"
 #include "simulator_impl.h"
 
@@ -17,7 +18,7 @@ void Simulator::free_pipe() noexcept
 const char* Simulator::inject(const Fault& fault) noexcept
 {
   const Truth& truth = impl_->state.truth;
-  if (const char* wrong = what_is_wrong(*impl_->model, truth.bit_depth, truth.hole_depth, fault)) return wrong;
+  if (const char* wrong = what_is_wrong(impl_->model->scene(), truth.bit_depth, truth.hole_depth, fault)) return wrong;
   if (is_of_gauge(fault.kind))
   {
     begin(fault, impl_->state.instruments.fault_of(fault.gauge));

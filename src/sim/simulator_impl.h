@@ -1,6 +1,7 @@
 #ifndef DRILL_RIG_SIM_SRC_SIM_SIMULATOR_IMPL_H
 #define DRILL_RIG_SIM_SRC_SIM_SIMULATOR_IMPL_H
 
+#include "drill_rig_sim/crew/refusals.h"
 #include "drill_rig_sim/sim/accuracy_watch.h"
 #include "drill_rig_sim/sim/choice.h"
 #include "drill_rig_sim/sim/level_watch.h"
@@ -80,6 +81,8 @@ struct Simulator::Impl
   void measure_string_built() noexcept;
   double motor_pressure() const noexcept;
   SensorView sensor_view() const noexcept;
+  /// What slips, connections and commands are refused by.
+  StringAtTable at_table() const noexcept;
   bool broken_out_by_hand() const noexcept { return state.connection.under_way && state.crew.doing == CrewTask::none; }
   void tell_string_built() noexcept;
   const char* set_slips(int joint) noexcept;

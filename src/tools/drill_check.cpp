@@ -20,6 +20,7 @@
 #include "drill_command.h"
 #include "drill_losses.h"
 #include "drill_options.h"
+#include "drill_program.h"
 #include "drill_scene.h"
 #include "drill_units.h"
 
@@ -274,6 +275,7 @@ void print_well(const Scene& scene, const Simulator& simulator, const Printed& p
 void check(const CheckOptions& options)
 {
   const Scene scene = open_scene(options.scene, options.settings);
+  require_program(scene, program_end(scene.program));
   const Simulator simulator = build_simulator(scene, 0);
   const Printed printed(options.units);
   const SimulatorStatistics& s = simulator.statistics();

@@ -61,7 +61,7 @@ Matrix6d mass_of(const RigidBody& body, const Vector3d& n)
 }
 
 /// The problem in the free motions of the nodes below the clamp.
-struct Problem
+struct EigenProblem
 {
   std::vector<NodeAxes> axes;
   std::vector<Basis> basis;
@@ -78,7 +78,7 @@ void put(const MatrixXd& block, int row, int column, Triplets& entries)
     for (int j = 0; j < block.cols(); ++j) entries.emplace_back(row + i, column + j, block(i, j));
 }
 
-Problem problem_of(const RigAtRest& rig, ModeFamily family, int clamp)
+EigenProblem problem_of(const RigAtRest& rig, ModeFamily family, int clamp)
 {
   const Model& model = *rig.model;
   Stage stage(model);
@@ -90,7 +90,7 @@ Problem problem_of(const RigAtRest& rig, ModeFamily family, int clamp)
   std::vector<double> residual(origin);
   evaluate_static(model, rig.state, stage, origin.data(), work, residual.data(), &tangent);
 
-  Problem out;
+  EigenProblem out;
   Triplets stiffness, inertia;
   for (int i = 0; i < clamp; ++i)
   {
@@ -123,7 +123,7 @@ struct Solution
   MatrixXd vectors;
 };
 
-Solution solve_all(const Problem& problem)
+Solution solve_all(const EigenProblem& problem)
 {
   const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> solver(MatrixXd(problem.stiffness), MatrixXd(problem.inertia));
   if (solver.info() != Eigen::Success) throw std::runtime_error("modes: the eigenvalues were not found");
@@ -131,7 +131,7 @@ Solution solve_all(const Problem& problem)
 }
 
 /// Lanczos' basis is much wider than what is asked for: lateral modes come in pairs of one frequency.
-Solution solve_lowest(const Problem& problem, int count, int width)
+Solution solve_lowest(const EigenProblem& problem, int count, int width)
 {
   using Inverse = Spectra::SymShiftInvert<double, Eigen::Sparse, Eigen::Sparse>;
   using Product = Spectra::SparseSymMatProd<double>;
@@ -146,7 +146,7 @@ Solution solve_lowest(const Problem& problem, int count, int width)
   return {solver.eigenvalues(), solver.eigenvectors()};
 }
 
-Mode mode_of(const Problem& problem, double eigenvalue, const VectorXd& x)
+Mode mode_of(const EigenProblem& problem, double eigenvalue, const VectorXd& x)
 {
   Mode mode;
   mode.eigenvalue = eigenvalue;
@@ -188,7 +188,7 @@ double Mode::frequency() const noexcept
 
 std::vector<Mode> find_modes(const RigAtRest& rig, ModeFamily family, int clamp, int count)
 {
-  const Problem problem = problem_of(rig, family, clamp);
+  const EigenProblem problem = problem_of(rig, family, clamp);
   const int size = static_cast<int>(problem.stiffness.rows());
   const int width = 4 * count + 20;
   const Solution found = width < size ? solve_lowest(problem, count, width) : solve_all(problem);

@@ -16,6 +16,7 @@
 #include "drill_progress.h"
 #include "drill_rig_sim/sim/run.h"
 #include "drill_run_options.h"
+#include "drill_program.h"
 #include "drill_scene.h"
 #include "drill_series.h"
 #include "drill_summary.h"
@@ -116,6 +117,7 @@ void run_scene(const RunOptions& options)
   const double frame = frame_of_whole_steps(frame_length, scene.numerics.step);
   require_whole_frames("--every", options.every, frame);
   require_whole_frames("--profile-every", options.profile_every, frame);
+  require_program(scene, goal.duration);
 
   Simulator simulator = build_simulator(scene, options.seed);
   require_companion(options, simulator);

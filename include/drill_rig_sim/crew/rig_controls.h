@@ -8,9 +8,6 @@
 
 namespace drill_rig_sim
 {
-/// Why no pipe can be gripped at a place: what inject() says.
-inline constexpr char no_pipe_there[] = "depth: allowed is where there is pipe in the hole, above 0 (the rotary table) and not below the bit";
-
 /// What a driller sees on a rig and does to it, so that programs and operations need not know the simulator behind it.
 class RigControls
 {

@@ -22,18 +22,13 @@
 ///   that loses its fluid, is a drift of dead_line_hook_load.
 namespace drill_rig_sim
 {
-/// Whether there is pipe in the hole at measured depth `md` [m]: above 0 (the rotary table), not below the bit's face at `bit_depth` [m MD].
-bool is_in_hole(double md, double bit_depth) noexcept;
 /// The formation grips the node of the string that is nearest to measured depth `md` [m], where it is now: half an element off at most, or
 /// the uppermost in the hole; the shaft is never gripped. `bit_depth`: of the bit's face [m MD]. Needs pipe in the hole at `md`.
 void stick_pipe(const Model& model, double bit_depth, double md, State& state) noexcept;
 /// It lets go.
 void free_pipe(State& state) noexcept;
 
-/// Why a fault would be refused: one line, static storage; null: it would not. `bit_depth`, `hole_depth` [m MD].
-const char* what_is_wrong(const Model& model, double bit_depth, double hole_depth, const Fault& fault) noexcept;
-
-/// A fault of the mechanics begins, one that nothing is wrong with.
+/// A fault of the mechanics begins, one that nothing is wrong with (crew/refusals.h).
 void begin(const Model& model, double bit_depth, const Fault& fault, State& state) noexcept;
 /// And ends; nothing happens where there is none.
 void end(FaultKind kind, State& state) noexcept;
