@@ -9,10 +9,10 @@
 
 namespace drill_rig_sim
 {
-/// A run beside two finer ones of the same rig: how wrong it is, output by output.
+/// Compares a run with two finer runs of the same rig: error of each output.
 ///
-/// The finest one counts as right but for its own error, a third of what the finer two differ by: halved elements and steps divide errors by four
-/// where they fall with the square of these, and that was seldom found to be worse (test/accuracy/README.md).
+/// The finest run is the reference. Its own error is a third of the difference of the two finer runs, because half elements and steps divide an error
+/// of second order by four. Larger errors were seldom found (test/accuracy/README.md).
 class Verification
 {
 public:

@@ -9,8 +9,8 @@ namespace drill_rig_sim
 /// A pressure loss against a flow or a speed, worked out once and interpolated in a frame: odd, without a jump, growing.
 ///
 /// Nodes lie at largest (i/n)^2; between them a cubic of the square root whose slopes keep it growing (Fritsch and Butland, SIAM J. Sci. Stat. Comput. 5
-/// (1984) 300-304). Within 0.2 % of the law above a hundredth of the largest flow. Below the first node, a ten-thousandth, it is a straight line to 0: mud
-/// whose yield stress holds it creeps so slowly. Above the largest flow it goes on with its last slope.
+/// (1984) 300-304). Within 0.2 % of the law above a hundredth of the largest flow. Below the first node, a ten-thousandth of the largest flow, it is a
+/// straight line to 0. This replaces the yield stress by a slow creep. Above the largest flow, the last slope continues.
 class LossTable
 {
 public:

@@ -91,8 +91,8 @@ struct MudWay
 
 MudCircuit mud_circuit(const MudWay& way, const Mesh& mesh);
 
-/// Why stand-pipe and annular pressures are not to be believed, in a line: pressure_coefficient is less than bore and annulus alone lose by the rules above.
-/// Empty where it leaves something for the bit.
+/// One line that says why the pressures are not reliable: pressure_coefficient gives less than bore and annulus lose by the rules above.
+/// Empty if it leaves a loss for the bit.
 std::string doubt_of_pressures(const MudCircuit& mud);
 
 /// Pressures above the hydrostatic ones.

@@ -32,9 +32,9 @@ class Mwd
 public:
   Mwd() = default;
   Mwd(const MwdSpec& survey, const ToolfaceSpec& toolface, NoiseSource noise = {});
-  /// Takes what is due at `time` [s] and hands over what has arrived by now.
+  /// Measures what is due at `time` [s] and returns the data that have arrived at the surface by then.
   void update(double time, double flow, const SensorView& view, MwdReading& survey, ToolfaceReading& toolface) noexcept;
-  /// The last that has arrived.
+  /// The last reading that has arrived.
   const InclinationReading& inclination() const noexcept { return inclination_; }
   /// Moves all it remembers by `shift` [s].
   void shift_time(double shift) noexcept;

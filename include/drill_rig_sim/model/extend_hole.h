@@ -6,11 +6,11 @@
 
 namespace drill_rig_sim
 {
-/// The hole at the end of a step whose nodes are committed: its bottom moves by the rock-breaking velocity at the stage's forces times the
-/// step, or by what the stage knows of it, or (regenerative law) by the mean height of what the blades have cut in the step.
+/// Extends the hole at the end of a step, after the nodes are committed. The bottom moves by the rock-breaking velocity at the stage's forces times
+/// the step, or by the motion stored in the stage, or (regenerative law) by the average height that the blades have cut in the step.
 void extend_hole(const Model& model, const Stage& stage, const StageResult& result, State& state) noexcept;
 
-/// How fast the hole would turn by the rock law alone where the body that follows the bit does not let it (well/turn_limit.h) [rad/m]; 0 elsewhere.
+/// Curvature of the hole by the rock law, if it exceeds the limit of the body behind the bit (well/turn_limit.h) [rad/m]; otherwise 0.
 /// `forces`: at the state.
 double refused_turn(const Model& model, const State& state, const RigForces& forces) noexcept;
 

@@ -6,9 +6,9 @@
 
 namespace drill_rig_sim
 {
-/// What shows between the two ends of one step, at `share` (0 .. 1) of it, into `out`, which holds a copy of `end` whose other fields stay:
-/// motions of the nodes, drive, hoisting, motor, hydraulics and time, in straight lines (orientations along the arc). Right to second order, as the method
-/// is: a wave of frequency w is off by (w h)^2/8 between the ends of a step h. For showing alone: hole, bristles and memory are the end's.
+/// State at `share` (0 .. 1) of a step. `out` must be a copy of `end`; motions of the nodes, drive, hoisting, motor, hydraulics and time are replaced.
+/// Interpolation is linear (orientations along the arc), so of second order, as the method is: a wave of frequency w has the error (w h)^2/8 inside a
+/// step h. Only for display: hole, bristles and memory are those of the end.
 void interpolate(const State& start, const State& end, double share, State& out) noexcept;
 /// The same of the forces; vectors of equal lengths.
 void interpolate(const RigForces& start, const RigForces& end, double share, RigForces& out) noexcept;

@@ -27,9 +27,9 @@ struct NewtonOutcome
 };
 
 /// Newton's method on one stage of the system. Converges on the increment, not on the residual: a residual of 1e-3 N is below
-/// round-off in a long string. A tangent is kept as long as it serves: the residual after an increment shows, for a third of what an
-/// iteration costs, whether that was the last, and the kept tangent makes small increments as good as a new one would. Where the kept
-/// tangent asks for more than the increment just made, that one led over a kink of contact or friction: half of it is taken back.
+/// round-off in a long string. A tangent is kept while its increments shrink at least fivefold. A residual costs a third of
+/// an iteration and shows whether the last increment was enough. If the kept tangent asks for a larger increment than the one just made,
+/// that increment crossed a kink of contact or friction: half of it is taken back.
 /// Noexcept, allocation-free after construction.
 class Newton
 {

@@ -13,17 +13,17 @@ namespace drill_rig_sim
 {
 /// Shortest and longest step that the control asks for [s].
 constexpr double shortest_step = 1e-4, longest_step = 0.05;
-/// Steps fill frames, or frames a step: so that a step but little too long is not halved, one of up to 1.25 of what is wanted is tried.
+/// A frame holds a whole number of steps, or a step a whole number of frames. To fit, a step up to 1.25 times the wanted one is tried.
 constexpr double may_be_longer = 0.2;
 
 /// Chooses the length of the steps by what they do to the outputs (numerics.step 0).
 ///
-/// A step's local error is a wrong place of every node; over the step's length it is a wrong speed, and a wrong speed v is a wrong force
-/// Z v in the wave that it sends along the string, Z = sqrt(EA m') along it and sqrt(GJ i') about it (m', i': mass and inertia per length),
-/// the string's wave impedances. That force counts as a share of what its output has ranged over so far:
+/// The local error of a step is an error of the node positions. Divided by the step it is an error v of velocity, which sends a wave with the
+/// wrong force Z v along the string, Z = sqrt(EA m') along it and sqrt(GJ i') about it (m', i': mass and inertia per length),
+/// the string's wave impedances. That force is compared with the range of its output so far:
 ///   e = P rms of  Z |v| / S,   S = max(range, a tenth of the level, what an instrument resolves; a tenth of that over the tolerance)
-/// in root mean square along the string, for where one node lets go or takes hold the wave that it sends is short; P, 2.8 along the string and 3.3
-/// about it, is a front's peak over that. S is of hook load for motions along the string, of torque for those about it; at the bit itself also of its
+/// The mean is the root mean square along the string, because the wave of a single node that slips or sticks is short. P is the peak of a front over
+/// that mean: 2.8 along the string, 3.3 about it. S is of hook load for motions along the string, of torque for those about it; at the bit itself also of its
 /// weight and speed, and P is 1. No error matters that is
 /// below a tenth of what an instrument resolves. Where the bit turns, the speed of a wave about the string also counts over the range of the bit's speed,
 /// for that is what the wave becomes below. Of a wave of frequency w that makes up the whole range, BDF2 makes e = (2/9) (w h)^2 in every step,
@@ -34,7 +34,7 @@ constexpr double may_be_longer = 0.2;
 /// the largest steps that keep the share of the operations matrix's cells within 5, 2, 1 and 0.2 % (test/accuracy/README.md).
 /// Where the scene needs nothing but torque and bit speed, motions along the string are allowed ten times as much; where nothing but hook load, weight
 /// and pressure, those about it.
-/// Besides, no node's place may be wrong by more than `largest_place_error` in a step, whatever it does to the outputs: impacts, whirl.
+/// In addition, no position error in a step may exceed `largest_place_error` times the tolerance, whatever the outputs: this is for impacts and whirl.
 class StepControl
 {
 public:

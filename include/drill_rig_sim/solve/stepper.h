@@ -11,8 +11,8 @@
 
 namespace drill_rig_sim
 {
-/// Local error of a node's place above which a step is repeated in halves [m]. Blows are above it at the default step, the waves that
-/// a winch makes are not.
+/// A step with a larger local error of a node position is subdivided [m]. At the default step, impacts exceed it; waves caused by the
+/// winch do not.
 constexpr double largest_local_error = 1e-4;
 
 /// The fixed-step methods, the default first.

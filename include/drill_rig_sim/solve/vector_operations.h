@@ -5,9 +5,9 @@ struct _generic_N_Vector;  // NOLINT(bugprone-reserved-identifier): what SUNDIAL
 
 namespace drill_rig_sim
 {
-/// Puts vectorised sums, scaling, constants and norms in the place of a serial SUNDIALS vector's own, for it and its clones.
-/// Debian's library takes some twenty instructions a number: with it, vector sums would be half of what an ARKODE step costs, and
-/// a comparison of methods would be one of builds.
+/// Replaces sums, scaling, constants and norms of a serial SUNDIALS vector by vectorised ones, also for its clones. Debian's library
+/// needs some twenty instructions per number. Vector sums would take half of an ARKODE step, and a comparison of methods would
+/// compare builds.
 void vectorise_operations(_generic_N_Vector* vector);
 
 }  // namespace drill_rig_sim

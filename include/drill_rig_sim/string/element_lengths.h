@@ -3,9 +3,9 @@
 
 namespace drill_rig_sim
 {
-/// How long a string's elements are at most: joints that begin below `change` are cut to `lower`, those above it to `upper`, those below
-/// `pushed_change` to `pushed` and below `by_bit_change` to `by_bit`, if that is shorter, and those above `guided_change` to `guided`, if that is longer: two joints that are no longer than it
-/// together are one element, of the last part within a stand alone, for it is at the ends of stands that the string is broken out.
+/// Longest elements of a string. A joint that begins below `change` has `lower`, a joint above it `upper`. Below `pushed_change` it has `pushed`, below
+/// `by_bit_change` it has `by_bit`, if that is shorter. Above `guided_change` it has `guided`, if that is longer: two joints that fit in this length are
+/// one element. In the last part, both joints must be of one stand, because connections break the string at the ends of stands.
 struct ElementLengths
 {
   double lower = 9.5;   ///< [m]

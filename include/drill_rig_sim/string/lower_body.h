@@ -6,12 +6,12 @@
 
 namespace drill_rig_sim
 {
-/// The stiff body that follows the bit ends at a motor's bend or a pointing tool's pivot, and so many bit diameters above the bit's middle at most: 50 kN on the
-/// middle of 3 m of a 6 3/4 in motor bend it by 3 mm, a tenth of its clearance in a hole of 8 1/2 in.
+/// Largest length of the stiff body behind the bit, in bit diameters from the middle of the bit. It ends earlier at a motor's bend or a pointing tool's pivot.
+/// Example: 50 kN in the middle of 3 m of a 6 3/4 in motor bend it by 3 mm, a tenth of its clearance in a hole of 8 1/2 in.
 constexpr double stiff_diameters = 14.0;
 
-/// How fast that body lets the hole turn: equation (1) of turn_limit.h with the clearances of gauge pads, sleeve, blades, tool joints and bodies in a hole of
-/// the bit's diameter.
+/// Largest curvature of the hole in which that body fits: equation (1) of turn_limit.h. Clearances are those of gauge pads, sleeve, blades, tool joints and
+/// bodies in a hole of the bit's diameter.
 TurnLimit turn_limit(const Mesh& mesh) noexcept;
 
 }  // namespace drill_rig_sim

@@ -25,8 +25,8 @@ constexpr double sharpest_tie_in = 15.0;  ///< turn of the hole above the first 
 constexpr double tie_in_share = 5e-4, tie_in_rounding = 0.02;  ///< [-], [m]
 
 /// Puts stations above a survey whose first one lies below the rotary table, at `tie_in`, measured depth L, in direction t1: those of a hole
-/// that leaves the table vertically and meets it smoothly. Returns what is wrong, in one line, and leaves the survey alone, if there is no
-/// such hole; nothing if there is. The survey is sound but for its beginning (survey_problems(), well_checks.h).
+/// that leaves the table vertically and meets it smoothly. If there is no such hole, it returns one line that says why and
+/// does not change the survey; otherwise it returns an empty string. The survey is sound but for its beginning (survey_problems(), well_checks.h).
 ///
 /// The hole is a polygon of straight pieces, x down the vertical, then to x before P = tie_in in the direction t1, then to P, with both
 /// corners rounded by circular arcs that touch its sides p = min(x, l/2) beside each corner, l the middle side's length. A corner of angle

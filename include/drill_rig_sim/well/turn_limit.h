@@ -5,8 +5,8 @@
 
 /// How fast a hole may turn: the stiff body that follows the bit has to lie in it.
 ///
-/// The rock law (formation.h) knows forces, no shapes. A bit that is pressed aside with much more than its weight drills sideways by that law,
-/// and its hole turns by tens of degrees within a bit's length. What follows the bit could not enter such a hole.
+/// The rock law (formation.h) contains forces, but no shapes. By that law, a bit with a side force much above its weight drills sideways, and its hole
+/// turns by tens of degrees within the length of a bit. The body behind the bit could not enter such a hole.
 ///
 /// The body is straight and stiff, of length L from the bit's middle up. In a hole of the bit's diameter that turns evenly by kappa [rad/m], the hole's
 /// axis lies beside the body's by

@@ -9,11 +9,11 @@ namespace drill_rig_sim
 ///
 ///   F_z = k max(0, -d_z),   F_xy = -k d_xy,   T = -k_t (turn about the string's axis)
 ///
-/// They bear what hangs on them and let it go upwards; sideways and in spin they hold as long as they are set, for the rotary table is locked.
-/// Springs without damping: what rings in them is the pipe, whose mud damps it. They give a millimetre under 1 MN.
+/// They carry the load below and let the pipe move up. They hold sideways and in spin while they are set, because the rotary table is locked.
+/// Springs without damping: the mud damps the vibration of the pipe. They yield by a millimetre under 1 MN.
 extern const Force slips;
 
-/// What they bear of the string in a state [N]; 0 where they are not set.
+/// Load of the string on them [N]; 0 if they are not set.
 double slips_load(const State& state) noexcept;
 
 constexpr double slips_stiffness = 1e9;  ///< k [N/m]

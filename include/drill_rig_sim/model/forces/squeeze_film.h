@@ -5,11 +5,11 @@
 
 namespace drill_rig_sim
 {
-/// Mud squeezed between gauge or blades and the wall damps their motion across the hole; across the hole, not across the part: a tilted
-/// bit that slides does not glide up on it. Linear, `squeeze_film_damping` [N s/m] of a part, below the rotary table.
+/// Mud squeezed between gauge or blades and the wall damps their motion across the hole. It acts across the hole, not across the part, so that
+/// a tilted bit does not glide up on it. Linear: F = -c v, c = `squeeze_film_damping` of the part [N s/m]; only below the rotary table.
 extern const Force squeeze_film;
 
-/// Node 0 alone.
+/// The same, only for node 0 (the bit).
 void add_film_at_bit(const StageContext& at, const ForceRows& to) noexcept;
 
 }  // namespace drill_rig_sim

@@ -12,8 +12,8 @@ namespace drill_rig_sim
 struct NodeMotion;
 struct NodeRate;
 
-/// How much of the rates of the step's start, of the last rates and of what the method remembers second is in a sum, all in the
-/// step's axes (in_step_axes()).
+/// Factors of a sum of the rates at the start of the step, the last rates and the second quantity of the method's memory. All are in the
+/// axes of the step (in_step_axes()).
 struct RateFactors
 {
   double now, last, second;

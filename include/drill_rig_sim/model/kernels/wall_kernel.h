@@ -32,7 +32,7 @@ struct WallTask
   bool exponential;  ///< StribeckCurve
 };
 
-/// wall_contact() of nodes that turn with the string, with the usual exponent of 3/2 alone, several at a time.
+/// wall_contact() of several nodes at once. Only for nodes that turn with the string, and for the exponent 3/2.
 struct WallKernel
 {
   void (*add)(const WallTask& task) noexcept;

@@ -45,11 +45,11 @@ struct Method
   int first_acceleration;
   /// A step with a local error above largest_local_error is repeated in halves.
   bool refines;
-  /// Local error of the nodes' places in the step just solved, the largest component [m]. Null: a sixth of what the solution is
-  /// away from the extrapolation, as it is for BDF2.
+  /// Local error of the node positions in the step just solved, largest component [m]. Null: a sixth of the distance of the solution
+  /// from the extrapolation, as for BDF2.
   double (*local_error)(const StepContext& context) noexcept;
-  /// Of what a step's solution is away from the extrapolation predict(), the share that is the step's local error; `ratio`: the
-  /// step over the one before, 0 where nothing is remembered. Null: steps of variable length are not available.
+  /// Local error of the step over the distance of its solution from the extrapolation predict(). `ratio`: step over the previous
+  /// step, 0 without memory. Null: steps of variable length are not available.
   double (*share_of_distance)(double ratio) noexcept;
 };
 
