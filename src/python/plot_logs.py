@@ -1,7 +1,7 @@
 """Logs of a run in the trade's layout: tracks side by side, time or depth downwards, each curve with its scale on top of its track."""
 import numpy
 from drill_rig_sim.companion import differences
-from drill_rig_sim.score import new_hole, on_bottom
+from drill_rig_sim.score import new_hole, on_bottom, sliding_rows
 from drill_rig_sim.score_plots import BAND, plt
 from drill_rig_sim.units import SI
 
@@ -29,7 +29,11 @@ DEPTH_TRACKS = (
 def time_log(run, units=SI):
     """Over the whole run."""
     figure = tracks(run["time"], "time [s]", TIME_TRACKS, run.columns, "time log: " + run.title, units, differences(run))
-    flags(figure.axes[0], run)
+    bands(figure, run)
+    loads = run["hook_load"] if "hook_load" in run else numpy.array([])
+    if numpy.isfinite(loads).any():
+        largest, force = int(numpy.nanargmax(loads)), units["force"]
+        figure.text(0.09, 0.01, "largest hook load %.1f %s at %.0f s" % (force.per_si * loads[largest], force.name, run["time"][largest]), fontsize=8)
     return figure
 
 
@@ -67,10 +71,11 @@ def tracks(down, label, layout, columns, title, units, bands):
         panel.grid(alpha=0.3)
         for place, scale in enumerate(track):
             draw_scale(panel, place, down, [columns[column] for column in scale[0].split()], scale, units, bands.get(scale[0]))
+    figure.tracks = len(layout)
     axes[0, 0].set_ylabel(label)
     axes[0, 0].set_ylim(down[-1], down[0])
     figure.suptitle(title, fontsize=10)
-    figure.subplots_adjust(left=0.09, right=0.98, bottom=0.03, top=0.80, wspace=0.08)
+    figure.subplots_adjust(left=0.09, right=0.98, bottom=0.04, top=0.80, wspace=0.08)
     return figure
 
 
@@ -84,6 +89,7 @@ def draw_scale(panel, place, down, curves, drawn, units, band):
     if band is not None:
         scale.fill_betweenx(down, curves[0] - factor * band, curves[0] + factor * band, color=colour, **BAND)
     scale.set_xlim(*limits(numpy.concatenate(curves), factor * least))
+    mark_cuts(scale, curves[0], down, colour)
     scale.spines["top"].set_position(("outward", 34.0 * place))
     scale.spines["top"].set_color(colour)
     scale.tick_params(axis="x", colors=colour, labelsize=7)
@@ -99,11 +105,35 @@ def limits(values, least):
     return low - margin, high + margin
 
 
-def flags(panel, run):
-    """Where pipe hangs in the slips, and where the simulation doubts itself."""
-    for name, colour in (("in_slips", "#cccccc"), ("accuracy_warning", "#f6d8d5")):
-        if name not in run:
-            continue
-        edges = numpy.flatnonzero(numpy.diff(numpy.concatenate(([0.0], run[name] > 0.0, [0.0]))))
+def mark_cuts(scale, curve, down, colour):
+    """An arrow with the extreme value where a curve leaves its scale."""
+    low, high = scale.get_xlim()
+    known = numpy.isfinite(curve)
+    if not known.any():
+        return
+    most, least = int(numpy.nanargmax(curve)), int(numpy.nanargmin(curve))
+    if curve[most] > high:
+        scale.annotate("%.4g \u25b6" % curve[most], (high, down[most]), ha="right", va="center", color=colour, fontsize=7, annotation_clip=False)
+    if curve[least] < low:
+        scale.annotate("\u25c0 %.4g" % curve[least], (low, down[least]), ha="left", va="center", color=colour, fontsize=7, annotation_clip=False)
+
+
+def bands(figure, run):
+    """In all tracks: pipe in the slips over the whole width, slides along the left edge, warnings of accuracy along the right one, so that none hides another."""
+    slides = sliding_rows(run, on_bottom(run)) if "top_drive_speed" in run else numpy.zeros(len(run["time"]), bool)
+    shown = []
+    for name, rows, where, look in (("in slips", raised(run, "in_slips"), (0.0, 1.0), {"color": "#cccccc", "alpha": 0.5, "linewidth": 0.0}),
+                                    ("slide", slides, (0.0, 0.06), {"color": "#e08e0b", "linewidth": 0.0}),
+                                    ("accuracy warning", raised(run, "accuracy_warning"), (0.94, 1.0), {"facecolor": "#f6d8d5", "edgecolor": "#c0392b", "hatch": "///", "linewidth": 0.0})):
+        edges = numpy.flatnonzero(numpy.diff(numpy.concatenate(([0.0], rows, [0.0]))))
         for begin, end in zip(edges[::2], edges[1::2]):
-            panel.axhspan(run["time"][begin], run["time"][min(end, len(run["time"]) - 1)], color=colour, zorder=0)
+            for panel in figure.axes[:figure.tracks]:
+                panel.axhspan(run["time"][begin], run["time"][min(end, len(run["time"]) - 1)], *where, zorder=0, **look)
+        if len(edges):
+            shown.append(plt.Rectangle((0, 0), 1, 1, label=name, **look))
+    if shown:
+        figure.legend(handles=shown, loc="lower right", ncol=3, fontsize=8, frameon=False, borderaxespad=0.1)
+
+
+def raised(run, flag):
+    return run[flag] > 0.0 if flag in run else numpy.zeros(len(run["time"]), bool)

@@ -14,6 +14,7 @@ from drill_rig_sim.survey import Survey, angle_between, direction, read_survey
 
 ON_BOTTOM = 0.01        # so near to the hole's bottom the bit counts as on it [m]
 WINDOW = 10.0           # of the stick-slip index, and of the mean that tells sliding from turning [s]
+LEAST_ROP = 5e-5       # mean on bottom from which on something is drilled, 0.18 m/h [m/s]
 SLIDING = 0.105         # slower than this mean of the top drive the string slides, 1 rpm [rad/s]
 TURNING = 0.5           # windows whose mean bit speed is below this have no stick-slip index [rad/s]
 STATIONS = 10.0         # between the stations whose doglegs are added up [m]
@@ -207,6 +208,9 @@ def specific_energy(run, bottom, drilled, bit_diameter, left_out):
     metres = float(drilled.sum())
     if not metres > 0.0:
         left_out.append("energy: nothing was drilled")
+        return None
+    if metres < LEAST_ROP * float(run.dt[bottom].sum()):
+        left_out.append("energy: less than 0.18 m/h was drilled on bottom")
         return None
     if numpy.isnan(run["wob"][drilled > 0.0]).any():
         left_out.append("energy: surface WOB was not zeroed in all of the drilling")

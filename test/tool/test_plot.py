@@ -11,6 +11,7 @@ from contextlib import redirect_stderr, redirect_stdout
 
 import numpy
 from drill_rig_sim import plot_command, plot_logs, plot_well
+from drill_rig_sim.score import score
 from drill_rig_sim.score_runs import Run
 from drill_rig_sim.survey import Survey
 
@@ -62,8 +63,30 @@ class Logs(unittest.TestCase):
     def test_a_vertical_hole_has_no_azimuth(self):
         self.assertTrue(numpy.isnan(curves(plot_logs.depth_log(run_of(inclination=0.001)))["azimuth [deg]"]).all())
 
+    def test_bands_are_in_all_tracks_and_none_hides_another(self):
+        time = numpy.arange(0.0, 100.05, 0.1)
+        figure = plot_logs.time_log(run_of(sliding=True, accuracy_warning=(time > 5.0).astype(float)))
+        tracks = figure.axes[:figure.tracks]
+        self.assertGreater(len(tracks), 2)
+        for track in tracks:
+            widths = sorted((*patch.get_xy()[:, 0].round(2)[[0, 2]],) for patch in track.patches)
+            self.assertEqual([(0.0, 0.06), (0.0, 1.0), (0.94, 1.0)], widths)
+        self.assertEqual(["in slips", "slide", "accuracy warning"], [text.get_text() for text in figure.legends[0].get_texts()])
+
+    def test_the_largest_hook_load_is_on_the_sheet_and_a_cut_curve_has_its_extreme(self):
+        load = numpy.full(1001, 500e3)
+        load[500] = 555e3
+        figure = plot_logs.time_log(run_of(hook_load=load))
+        self.assertIn("largest hook load 555.0 kN at 50 s", [text.get_text() for text in figure.texts])
+        self.assertIn("555 \u25b6", [text.get_text() for panel in figure.axes for text in panel.texts])
+
     def test_nothing_drilled_is_no_depth_log(self):
         self.assertIsNone(plot_logs.depth_log(run_of(drilled=0.01)))
+
+    def test_a_bit_that_stands_has_no_specific_energy(self):
+        scores = score(run_of(drilled=1e-4), bit_diameter=0.2)
+        self.assertIsNone(scores["energy"])
+        self.assertIn("energy: less than 0.18 m/h was drilled on bottom", scores["left_out"])
 
     def test_scales_have_a_least_span_and_are_not_spoilt_by_a_jerk(self):
         self.assertAlmostEqual(5.0, numpy.ptp(plot_logs.limits(numpy.full(100, 90.0) + 1e-9 * numpy.arange(100), 5.0)))

@@ -111,6 +111,17 @@ class Series(unittest.TestCase):
         self.assertEqual([round(one["in_slips"]) for one in feed.log.activity.connections()], [20])
 
 
+    def test_pipe_that_is_removed_is_no_connection_where_stands_are_counted(self):
+        """A stand is added, one removed and one added again, all between drilling and drilling."""
+        time = numpy.arange(0.0, 100.05, 0.1)
+        slips, stands = numpy.zeros(len(time)), numpy.full(len(time), 30.0)
+        for begin, change in ((20.0, 1), (40.0, -1), (60.0, 1)):
+            slips[(time > begin) & (time < begin + 10.0)] = 1.0
+            stands[time > begin + 5.0] += change
+        feed = taken(SeriesSource(drilled_run(in_slips=slips, stand_count=stands)))
+        self.assertEqual([20, 60], [round(one["time"]) for one in feed.log.activity.connections()])
+
+
 class Offline(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
