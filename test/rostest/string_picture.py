@@ -2,8 +2,9 @@
 
 
 def is_string(r, g, b):
-    """Lime through yellow to red, saturated, shaded."""
-    return max(r, g) > 70 and b < 0.35 * max(r, g) and (r > 2.5 * g or r > 0.3 * g)
+    """Viridis, shaded: purple, teal, green, yellow."""
+    purple, green, yellow = b > 1.5 * g and 0.7 * g < r < 1.5 * g, g > 1.4 * r and not is_bit(r, g, b), b < 0.35 * g and 0.6 * g < r < 1.2 * g
+    return max(r, g, b) > 60 and (purple or green or yellow)
 
 
 def is_bit(r, g, b):

@@ -1,6 +1,8 @@
 // Colours of the display against what its legend says: ends, order, ticks; a scale that does not flicker.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -25,11 +27,34 @@ TEST(ColorScale, beyondItsEndsIsTheEndsColor)
   EXPECT_FALSE(same(scale.at(40.0), scale.at(20.0)));
 }
 
-TEST(ColorScale, warmIsAboveZeroAndColdBelow)
+// As one without the green receptors sees a colour: Viénot, Brettel and Mollon 1999, on linear RGB; here only what differs between colours.
+std::array<double, 2> deuteranope(const Color& c)
+{
+  const double r = std::pow(c.r, 2.2), g = std::pow(c.g, 2.2), b = std::pow(c.b, 2.2);
+  return {0.29275 * r + 0.70725 * g, -0.02234 * r + 0.02234 * g + b};  // red and green are one; blue
+}
+
+TEST(ColorScale, theColourBlindCanTellValuesApart)
+{
+  const auto differ = [](const Color& a, const Color& b)
+  {
+    const auto x = deuteranope(a), y = deuteranope(b);
+    return std::hypot(std::pow(x[0], 1.0 / 2.2) - std::pow(y[0], 1.0 / 2.2), std::pow(std::max(x[1], 0.0), 1.0 / 2.2) - std::pow(std::max(y[1], 0.0), 1.0 / 2.2));
+  };
+  const ColorScale one(0.0, 40.0), both(-40.0, 40.0);
+  for (int a = 0; a <= 4; ++a)
+    for (int b = 0; b < a; ++b)
+    {
+      EXPECT_GT(differ(one.at(10.0 * a), one.at(10.0 * b)), 0.1) << a << " " << b;
+      EXPECT_GT(differ(both.at(20.0 * a - 40.0), both.at(20.0 * b - 40.0)), 0.1) << a << " " << b;
+    }
+}
+
+TEST(ColorScale, orangeIsAboveZeroAndBlueBelow)
 {
   const ColorScale scale(-10.0, 40.0);
-  for (const double value : {0.0, 1.0, 20.0, 40.0}) EXPECT_LT(scale.at(value).b, 0.2f) << value;
-  for (const double value : {-0.1, -5.0, -10.0}) EXPECT_GT(scale.at(value).b, 0.9f) << value;
+  for (const double value : {10.0, 20.0, 40.0}) EXPECT_GT(scale.at(value).r, scale.at(value).b) << value;
+  for (const double value : {-3.0, -5.0, -10.0}) EXPECT_GT(scale.at(value).b, scale.at(value).r) << value;
 }
 
 TEST(ColorScale, noNumberIsGrey)

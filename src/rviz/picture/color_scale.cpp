@@ -11,9 +11,10 @@ namespace
 {
 constexpr int patience = 50;  // messages until a scale that is too wide gets narrower
 
-// lime, yellow, orange, red: none of them the green or red of an axis
-constexpr std::array<Color, 4> warm{{{0.50f, 0.90f, 0.15f}, {0.98f, 0.90f, 0.10f}, {1.00f, 0.50f, 0.05f}, {0.92f, 0.10f, 0.12f}}};
-constexpr std::array<Color, 2> cold{{{0.62f, 0.80f, 0.98f}, {0.12f, 0.25f, 1.00f}}};
+// viridis without its darkest part, which a dark ground swallows; blue, white, orange where there are both signs: all can be told by the colour-blind
+constexpr std::array<Color, 5> viridis{{{0.27f, 0.23f, 0.51f}, {0.17f, 0.44f, 0.56f}, {0.13f, 0.66f, 0.51f}, {0.56f, 0.84f, 0.27f}, {0.99f, 0.91f, 0.14f}}};
+constexpr std::array<Color, 3> orange{{{0.97f, 0.97f, 0.97f}, {0.99f, 0.72f, 0.39f}, {0.90f, 0.38f, 0.01f}}};
+constexpr std::array<Color, 3> blue{{{0.97f, 0.97f, 0.97f}, {0.45f, 0.68f, 0.85f}, {0.02f, 0.32f, 0.69f}}};
 
 Color mix(const Color& a, const Color& b, float share)
 {
@@ -46,8 +47,8 @@ ColorScale::ColorScale(double low, double high)
 Color ColorScale::at(double value) const noexcept
 {
   if (!std::isfinite(value)) return {0.5f, 0.5f, 0.5f};
-  if (value >= 0.0) return along(warm, value / high_);
-  return low_ < 0.0 ? along(cold, value / low_) : cold.front();
+  if (!(low_ < 0.0)) return along(viridis, value / high_);
+  return value >= 0.0 ? along(orange, value / high_) : along(blue, value / low_);
 }
 
 std::vector<double> ColorScale::ticks(int most) const
