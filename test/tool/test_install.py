@@ -1,6 +1,8 @@
 #!/usr/bin/python3
-"""`cmake --install` into any folder leaves a rig that works from there, and writes nowhere else. Usage: test_install.py BUILD_FOLDER."""
+"""`cmake --install` into any folder leaves a rig that works from there, and writes nowhere else. rosrun and a package that depends on this one find
+the rig there and in the devel space. Usage: test_install.py BUILD_FOLDER."""
 import os
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -53,6 +55,25 @@ class Install(unittest.TestCase):
     def test_python_drives_a_rig(self):
         lines = ". '%s/setup.bash'; /usr/bin/python3 -c 'from drill_rig_sim.sim import Simulator, __file__; print(__file__, Simulator(\"quick.yaml\").step(0.1).t)'"
         self.assertEqual('%s/lib/python3/dist-packages/drill_rig_sim/sim.py 0.1' % self.prefix, in_shell('bash', lines % self.prefix, self.folder).strip())
+
+    def test_rosrun_finds_its_programs(self):
+        if not shutil.which('rosrun'):
+            self.skipTest('rosrun is not installed (rosbash)')
+        for setup in (self.prefix, build + '/devel'):
+            for program in ('drill', 'rig_simulator', 'weight_holder', 'drill_campaign'):
+                printed = in_shell('bash', ". '%s/setup.bash'; rosrun --prefix echo drill_rig_sim %s" % (setup, program), self.folder)
+                self.assertRegex(printed.strip(), '/%s$' % program, setup)
+            self.assertIn("Usage: drill", in_shell('bash', ". '%s/setup.bash'; rosrun drill_rig_sim drill --help" % setup, self.folder))
+
+    def test_a_package_that_depends_on_it_is_built_and_runs(self):
+        source = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), 'dependent')
+        for setup in (self.prefix, build + '/devel'):
+            with tempfile.TemporaryDirectory() as other:
+                printed = in_shell('bash', ". '%s/setup.bash'; cmake -S '%s' -B . -DCATKIN_ENABLE_TESTING=OFF; make; devel/lib/rig_user/rig_user \"$(catkin_find --first-only drill_rig_sim config/scenes/quick.yaml)\""
+                                   % (setup, source), other)
+                hook_load = [float(line.split()[1]) for line in printed.splitlines() if line.startswith('hook_load: ')]
+                self.assertEqual(1, len(hook_load), printed)
+                self.assertGreater(hook_load[0], 1e5)
 
     def test_destdir(self):
         stage = os.path.join(self.folder, 'stage')
