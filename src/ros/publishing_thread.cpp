@@ -16,8 +16,10 @@ PublishingThread::PublishingThread(ros::NodeHandle& node, const Parameters& para
       state_(node, parameters, subscriptions, ask_for_picture),
       frames_(node, parameters, subscriptions, ask_for_picture),
       markers_(node, parameters, subscriptions, std::move(ask_for_picture)),
-      trajectory_(node, parameters)
+      trajectory_(node, parameters),
+      period_(parameters.frame_period())
 {
+  if (parameters.time_source() == TimeSource::other_rig) next_frame_ = node.advertise<rosgraph_msgs::Clock>("/clock_followers", 1, true);
   if (parameters.publish_clock) clock_.emplace(node, "/clock", parameters.queue());
 }
 
@@ -88,6 +90,17 @@ void PublishingThread::publish(const FrameOutput& s)
         });
   }
   send_posted();
+  if (next_frame_) tell_leader(s.frame);
+}
+
+void PublishingThread::tell_leader(const FrameRecord& record)
+{
+  rosgraph_msgs::Clock next;
+  if (record.run_state == RunState::failed)
+    next.clock = ros::TIME_MAX;
+  else if (record.stamp != 0)  // before the first clock there is no time to tell
+    next.clock = to_time(record.stamp + period_);
+  next_frame_.publish(next);
 }
 
 }  // namespace drill_rig_sim

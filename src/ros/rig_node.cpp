@@ -34,11 +34,12 @@ RigNode::RigNode()
       mailbox_(node_),
       loop_(parameters_, std::make_unique<Simulator>(scene_, parameters_.seed), mailbox_, ring_),
       clock_(node_, service_node_, parameters_, [this](std::int64_t clock) { loop_.hear_clock(clock); }),
+      followers_(node_, parameters_, [this](std::int64_t slowest) { loop_.hear_followers(slowest); }),
       publishing_(
           node_, parameters_, ring_, loop_.subscriptions(), [this] { loop_.refresh(); }, [this] { diagnostics_.publish(); }),
       diagnostics_(
           node_, [this] { return publishing_.last(); }, mailbox_.refusals(), mailbox_.senders(), [this] { return clock_.trouble(); }),
-      services_(service_node_, parameters_, scene_, loop_, publishing_),
+      services_(service_node_, parameters_, scene_, loop_, publishing_, followers_),
       spinner_(1),
       service_spinner_(2, &service_queue_)
 {

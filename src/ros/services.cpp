@@ -17,6 +17,7 @@
 #include "drill_rig_sim/scene/write_scene.h"
 #include "drill_rig_sim/sim/requests.h"
 #include "fault_request.h"
+#include "step_request.h"
 
 namespace drill_rig_sim
 {
@@ -47,37 +48,10 @@ std::string one_line(std::string text)
   std::replace(text.begin(), text.end(), '\n', ' ');
   return text;
 }
-
-void require_good(const RunningRig& rig)
-{
-  if (rig.failed) throw Refusal("the last frame failed: reset_well or restore_state first");
-}
-
-/// What would be refused is handed to the loop all the same, which counts it and changes nothing.
-template <class Setpoint>
-void require_right(SimulationLoop& loop, const Setpoint& c)
-{
-  if (why_refused(*loop.rig().simulator, c)) throw Refusal(loop.take(c).reason);
-}
-
-/// A step's commands, all of them or none. For between-frames callbacks.
-void command_all(SimulationLoop& loop, const StepSimulation::Request& request)
-{
-  require_good(loop.rig());
-  for (const auto& c : request.winch) require_right(loop, to_setpoint(c));
-  for (const auto& c : request.top_drive) require_right(loop, to_setpoint(c));
-  for (const auto& c : request.mud_pump) require_right(loop, to_setpoint(c));
-  for (const auto& c : request.steering) require_right(loop, to_setpoint(c));
-  loop.take_commands();  // what topics brought before the request is older
-  for (const auto& c : request.winch) loop.take(to_setpoint(c));
-  for (const auto& c : request.top_drive) loop.take(to_setpoint(c));
-  for (const auto& c : request.mud_pump) loop.take(to_setpoint(c));
-  for (const auto& c : request.steering) loop.take(to_setpoint(c));
-}
 }  // namespace
 
 Services::Services(ros::NodeHandle& node, const Parameters& parameters, Scene scene, SimulationLoop& loop,
-                   PublishingThread& publishing)
+                   PublishingThread& publishing, FollowerWatch& followers)
     : node_(node),
       parameters_(parameters),
       scene_(std::move(scene)),
@@ -85,6 +59,7 @@ Services::Services(ros::NodeHandle& node, const Parameters& parameters, Scene sc
       running_(scene_),
       loop_(loop),
       publishing_(publishing),
+      followers_(followers),
       description_(node.advertise<RigDescription>("rig_description", 1, true)),
       scene_text_(node.advertise<std_msgs::String>("scene", 1, true))
 {
@@ -211,7 +186,8 @@ std::string Services::pause()
   {
     bool ended = false;
     loop_.between_frames([&](SimulationLoop& loop) { ended = loop.end_step_early(); });
-    if (!ended) throw Refusal("no step is under way, and in lockstep time moves only by the service step");
+    followers_.give_up();
+    if (!ended && !step_under_way_) throw Refusal("no step is under way, and in lockstep time moves only by the service step");
     return "the step is ended";
   }
   require_pausable();
@@ -365,36 +341,35 @@ std::string Services::step(const StepSimulation::Request& request, StepSimulatio
   if (!loop_.time().in_lockstep()) throw Refusal("allowed only in lockstep (~clock)");
   if (parameters_.step_on_commands != 0) throw Refusal("this node steps on commands (~step_on_commands)");
   require_no_step();
-  if (request.frames > most_frames_of_step)
-    throw Refusal("frames is " + std::to_string(request.frames) + "; allowed is 0 to " + std::to_string(most_frames_of_step));
-  if (request.winch.size() > 1 || request.top_drive.size() > 1 || request.mud_pump.size() > 1 || request.steering.size() > 1)
-    throw Refusal("allowed is at most one command of each kind");
+  const std::uint32_t frames = frames_of(request, parameters_.rate);
   loop_.between_frames(
       [&](SimulationLoop& loop)
       {
         command_all(loop, request);
-        loop.begin_step(request.frames);
+        loop.begin_step(frames);
       });
   step_under_way_ = true;
   lock.unlock();  // the other services answer meanwhile
   const StepResult result = loop_.wait_for_step();
   publishing_.wait_until_published(result.handed_over);
   const FrameRecord last = answer_last();
+  const std::string late = result.end == StepResult::End::complete ? followers_.wait_for(last.stamp) : "";
   lock.lock();
   step_under_way_ = false;
-  const std::string frames = " (" + std::to_string(result.frames) + " of " + std::to_string(request.frames) + " frames)";
+  const std::string computed = " (" + std::to_string(result.frames) + " of " + std::to_string(frames) + " frames)";
+  if (!late.empty()) throw Refusal("this rig's frames are computed, but " + late);
   switch (result.end)
   {
     case StepResult::End::complete:
       return {};
     case StepResult::End::failed:
-      throw Refusal(std::string("a frame failed: ") + last.failure.data() + frames);
+      throw Refusal(std::string("a frame failed: ") + last.failure.data() + computed);
     case StepResult::End::ended_early:
       break;
     case StepResult::End::shut_down:
-      throw Refusal("the node is shutting down" + frames);
+      throw Refusal("the node is shutting down" + computed);
   }
-  throw Refusal("ended by pause" + frames);
+  throw Refusal("ended by pause" + computed);
 }
 
 }  // namespace drill_rig_sim

@@ -7,6 +7,8 @@ namespace drill_rig_sim
 namespace
 {
 constexpr std::size_t spare_points = 4096;
+constexpr std::int64_t most_behind = 1000000000;  // of the next frame of a rig that follows; far less than Timekeeper::longest_jump, where it would leave out frames [ns]
+constexpr std::int64_t longest_silence = 3000000000;  // of a follower that is waited for within a step [wall ns]
 constexpr std::int64_t told_again = 500000000;  // wall time after which a rig_state without an answer is sent again [ns]
 }  // namespace
 
@@ -99,6 +101,7 @@ void SimulationLoop::wait_or_work() noexcept
     if (subscriptions_.refresh.exchange(false)) hand_over({false, true});
     return wait_while_time_stands();
   }
+  if (time_.in_lockstep() && slowest_follower_ < time_.stamp() - most_behind) return wait_for_followers();
   if (due > steady_now() && wake_.wait_until(due)) return;  // a request has come: it is first
   one_frame(steady_now());
 }
@@ -116,6 +119,12 @@ void SimulationLoop::wait_while_time_stands() noexcept
   const bool tells = parameters_.step_on_commands != 0 && run_state() == RunState::waiting && !halted_;
   if (!tells) return wake_.wait();
   if (!wake_.wait_until(steady_now() + told_again)) hand_over_again();
+}
+
+/// Woken as a follower goes on. One that says nothing is left behind until it does: it may wait for the next clock.
+void SimulationLoop::wait_for_followers() noexcept
+{
+  if (!wake_.wait_until(steady_now() + longest_silence)) slowest_follower_ = INT64_MAX;
 }
 
 void SimulationLoop::one_frame(std::int64_t now) noexcept

@@ -33,7 +33,7 @@ class Contract(unittest.TestCase):
     def test_publishes_exactly_the_topics(self):
         self.assertEqual({absolute(name) for name in self.contract["publishes"]}, self.publications - OF_EVERY_NODE)
 
-    def test_subscribes_to_exactly_the_commands(self):
+    def test_subscribes_to_exactly_these(self):
         self.assertEqual({absolute(name) for name in self.contract["subscribes"]}, self.subscriptions - {"/clock"})
 
     def test_topics_have_their_types(self):

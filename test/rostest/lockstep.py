@@ -103,6 +103,18 @@ class Lockstep(unittest.TestCase):
             self.assertFalse(answer.success)
             self.assertIn("step", answer.message)
 
+    def test_a_step_takes_seconds_too(self):
+        before = self.rig.advance(0).header.stamp
+        answer = self.rig.step(seconds=0.3)
+        self.assertTrue(answer.success, answer.message)
+        self.assertEqual(300000000, (answer.state.header.stamp - before).to_nsec())
+        for fields, words in (({"seconds": 0.3, "frames": 30}, "frames and seconds are both given"), ({"seconds": 0.015}, "whole number of frames of 0.01 s"),
+                              ({"seconds": -1.0}, "seconds must be"), ({"seconds": 1000.01}, "at most 1000 s"), ({"seconds": float("nan")}, "seconds must be")):
+            refused, expected, after = self.rig.next_frame_after(lambda fields=fields: self.rig.step(**fields))
+            self.assertFalse(refused.success)
+            self.assertIn(words, refused.message)
+            self.assertEqual(expected, after)
+
     def test_a_step_is_bounded(self):
         for frames in (100001, 4000000000):
             answer, expected, after = self.rig.next_frame_after(lambda: self.rig.step(frames=frames))

@@ -41,6 +41,7 @@ public:
 private:
   void run();
   void publish(const FrameOutput& s);
+  void tell_leader(const FrameRecord& record);
 
   FrameRing& ring_;
   std::function<void()> on_change_;
@@ -50,6 +51,8 @@ private:
   FramePublisher frames_;
   MarkerPublisher markers_;
   TrajectoryPublisher trajectory_;
+  std::int64_t period_;       // of a frame [ns]
+  ros::Publisher next_frame_;  // where the time is another rig's: how far this one has come
   std::optional<FrameTopic<rosgraph_msgs::Clock>> clock_;  // advertised last, so sent last; none where the time is another's
 
   mutable std::mutex mutex_;  // guards last_ and published_

@@ -7,6 +7,7 @@
 #include "drill_rig_sim/realtime/frame_ring.h"
 #include "drill_rig_sim/ros/clock_watch.h"
 #include "drill_rig_sim/ros/diagnostics_publisher.h"
+#include "drill_rig_sim/ros/follower_watch.h"
 #include "drill_rig_sim/ros/mailbox.h"
 #include "drill_rig_sim/ros/parameters.h"
 #include "drill_rig_sim/ros/publishing_thread.h"
@@ -40,6 +41,7 @@ private:
   FrameRing ring_;
   SimulationLoop loop_;
   ClockWatch clock_;
+  FollowerWatch followers_;
   PublishingThread publishing_;
   DiagnosticsPublisher diagnostics_;
   Services services_;

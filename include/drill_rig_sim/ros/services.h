@@ -21,6 +21,7 @@
 #include "drill_rig_sim/SaveState.h"
 #include "drill_rig_sim/SetSpeed.h"
 #include "drill_rig_sim/StepSimulation.h"
+#include "drill_rig_sim/ros/follower_watch.h"
 #include "drill_rig_sim/ros/publishing_thread.h"
 #include "drill_rig_sim/ros/saved_states.h"
 #include "drill_rig_sim/ros/simulation_loop.h"
@@ -34,7 +35,8 @@ class Services
 {
 public:
   /// `node` answers on its own callback queue, so that a long step() holds up no command.
-  Services(ros::NodeHandle& node, const Parameters& parameters, Scene scene, SimulationLoop& loop, PublishingThread& publishing);
+  Services(ros::NodeHandle& node, const Parameters& parameters, Scene scene, SimulationLoop& loop, PublishingThread& publishing,
+           FollowerWatch& followers);
 
 private:
   using Lock = std::unique_lock<std::mutex>;
@@ -75,6 +77,7 @@ private:
   Scene running_;      // scene_ with the bit depth asked for
   SimulationLoop& loop_;
   PublishingThread& publishing_;
+  FollowerWatch& followers_;
   SavedStates saved_;  // of the running scene
   bool step_under_way_ = false;
   std::mutex one_at_a_time_;

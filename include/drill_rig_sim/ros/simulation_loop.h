@@ -134,6 +134,12 @@ public:
     time_.hear_clock(clock);
     wake_.post();
   }
+  /// From any thread, in lockstep: the least stamp of the next frames of the rigs that follow this one's clock [ns].
+  void hear_followers(std::int64_t slowest) noexcept
+  {
+    slowest_follower_ = slowest;
+    wake_.post();
+  }
   Subscriptions& subscriptions() noexcept { return subscriptions_; }
   /// Asks for one picture of the present state while time stands.
   void refresh() noexcept
@@ -158,6 +164,7 @@ private:
   void wait_or_work() noexcept;
   void step_on_commands() noexcept;
   void wait_while_time_stands() noexcept;
+  void wait_for_followers() noexcept;
   void one_frame(std::int64_t now) noexcept;
   void publish_now(bool rebuilt) noexcept;
   void restart_cadences() noexcept;
@@ -196,6 +203,7 @@ private:
   bool tube_pending_ = false;       // the well has changed since markers showed it last
   Cadence state_cadence_, accuracy_cadence_, profile_cadence_, tf_cadence_, marker_cadence_, well_cadence_;
 
+  std::atomic<std::int64_t> slowest_follower_{INT64_MAX};
   std::atomic<bool> halted_{false}, quit_{false}, asked_{false};
   std::mutex callers_;
   Semaphore& wake_;  // the mailbox's, which outlives this
