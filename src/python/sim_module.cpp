@@ -316,7 +316,7 @@ void load_survey(InProcessRig& rig, const std::string& file, const std::vector<d
 
 PYBIND11_MODULE(_sim, module)
 {
-  py::register_exception_translator(translate);
+  py::register_local_exception_translator(translate);  // not for other modules of pybind11, such as those of matplotlib 3.10
   module.def("build", build);
   module.def("static_loads", static_loads);
   module.def("empty_block", empty_block);
