@@ -156,7 +156,9 @@ class Tables(Folder):
             record = self.read(table(header=DATED, times=dates("%Y-%m-%dT%H:%M:%S" + zone)))
             self.assertEqual(STARTED - offset, record.begin, zone)
             self.assertEqual([], [line for line in record.remarks if "zone" in line or "taken by" in line])
-        for name, said, offset in (("DateTime (UTC+2)", "UTC+2", 2.0 * hour), ("TIME_UTC", "", 0.0), ("Time [+05:30]", "+05:30", 5.5 * hour), ("GMT-3 Time", "GMT-3", -3.0 * hour),
+        for name, said, offset in (("DateTime (UTC+2)", "UTC+2", 2.0 * hour), ("TIME_UTC", "", 0.0), ("time_utc", "", 0.0), ("Time (utc-6)", "utc-6", -6.0 * hour),
+                                   ("Time (UTC\u221206:00)", "UTC\u221206:00", -6.0 * hour), ("Time (UTC + 5)", "UTC + 5", 5.0 * hour), ("Time (UTC+5.5)", "UTC+5.5", 5.5 * hour),
+                                   ("Time (UTC-6h)", "UTC-6h", -6.0 * hour), ("Time (-06:00 h)", "-06:00 h", -6.0 * hour), ("Time [+05:30]", "+05:30", 5.5 * hour), ("GMT-3 Time", "GMT-3", -3.0 * hour),
                                    ("Date (UTC+2),Time", "UTC+2", 2.0 * hour), ("Date (DD/MM/YYYY) (UTC+2),Time", "UTC+2", 2.0 * hour)):
             form = "%d/%m/%Y,%H:%M:%S" if "DD/MM" in name else "%Y-%m-%d,%H:%M:%S" if "," in name else "%Y-%m-%d %H:%M:%S"
             record = self.read(table(header=(name, *DATED[1:]), times=dates(form)))
@@ -166,6 +168,9 @@ class Tables(Folder):
             self.assertEqual(10.0 + offset, moment("2024-05-21T10:00:00Z", record, "--from"))
         record = self.read(table(header=("Time (UTC+2)", *DATED[1:]), times=dates("%Y-%m-%d %H:%M:%S-03:00")))
         self.assertEqual(STARTED + 3.0 * hour, record.begin, "the cells' goes before the header's")
+        self.right(record, ["Time (UTC+2): the dates are taken by their own time zone (first: 2024-05-21 09:59:50-03:00), not by UTC+2 of the header"])
+        record = self.read(table(header=("Time (UTC+2)", *DATED[1:]), times=dates("%Y-%m-%d %H:%M:%S+02:00")))
+        self.right(record)
 
     def test_time_zones_in_a_column(self):
         """Of one that changes within the record: summer time ends."""
@@ -177,7 +182,12 @@ class Tables(Folder):
         self.right(record, ["TZ: the time zone CST is not known by its offset: the dates are taken as UTC"])
 
     def test_time_zones_that_have_only_a_name(self):
-        for name in ("CST", "local", "CEST"):
+        for name in ("Houston", "US Central", "cst", "MEZ", "Eastern Standard Time"):
+            record = self.read(table(header=("Time (%s)" % name, *DATED[1:]), times=dates("%Y-%m-%d %H:%M:%S")))
+            self.right(record, ["%s in the header is not known as a time zone: the dates are taken as UTC; needed where that matters: UTC-06:00" % name])
+        for name in ("date", "ISO 8601", "YYYY-MM-DD hh:mm:ss", "s"):
+            self.right(self.read(table(header=("Time (%s)" % name, *DATED[1:]), times=dates("%Y-%m-%d %H:%M:%S"))))
+        for name in ("CST", "local", "CEST", "America/Chicago", "US/Pacific"):
             record = self.read(table(header=("Time (%s)" % name, *DATED[1:]), times=dates("%Y-%m-%d %H:%M:%S")))
             self.right(record, ["the time zone %s is not known by its offset: the dates are taken as UTC; needed where that matters: UTC-06:00" % name])
             self.assertEqual(STARTED, record.begin)

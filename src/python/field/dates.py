@@ -7,12 +7,17 @@ CLOCK = r"(?P<hour>\d\d?):(?P<minute>\d\d)(?::(?P<second>\d\d)(?:[.,](?P<fractio
 OFFSET = r"[+-]\d\d?(?::?\d\d)?"
 ZONE = r"Z|(?:UTC|GMT)(?: ?" + OFFSET + ")?|" + OFFSET
 REST = r"[T ]+" + CLOCK + r"\s*(?P<half>[AP]M)?\s*(?P<zone>" + ZONE + ")?$"
-# in the name of a column or in its unit: `Time (UTC+2)`, `TIME_GMT`, `Time [+02:00]`
-ZONE_IN_NAME = re.compile(r"(?<![A-Za-z])((?:UTC|GMT)(?:\s*" + OFFSET + r")?)(?![A-Za-z\d])|[(\[<{]\s*(" + ZONE + r")\s*[)\]>}]")
+# in the name of a column or in its unit: `Time (UTC+2)`, `TIME_GMT`, `Time [+02:00]`, `Time (UTC + 5.5 h)`
+HOURS = r"\s*(?:h|hrs?|hours?)"
+OFFSET_IN_NAME = r"[+\-\u2212\u2013]\s*\d\d?(?::?\d\d|[.,]\d+)?(?:" + HOURS + ")?"
+ZONE_IN_NAME = re.compile(r"(?<![A-Za-z])((?:UTC|GMT)(?:\s*" + OFFSET_IN_NAME + r")?)(?![A-Za-z\d])|[(\[<{]\s*(Z|(?:UTC|GMT)(?:\s*" + OFFSET_IN_NAME + r")?|" + OFFSET_IN_NAME +
+                          r")\s*[)\]>}]", re.IGNORECASE)
 # names of zones: the same one stands for several offsets (CST: Chicago, Shanghai), and summer time comes and goes
 NAMES_OF_ZONES = ("ACDT ACST ADT AEDT AEST AKDT AKST ART AST AWST BRT BST CAT CDT CEST CET CST EAT EDT EEST EET EST GST HKT HST ICT IST JST KST MDT MSK MST NDT NST NZDT "
                   "NZST PDT PKT PST SGT WAT WEST WET WIB")
-NAME_OF_ZONE = re.compile(r"(?<![A-Za-z])([Ll]ocal|LOCAL|%s)(?![A-Za-z])" % "|".join(NAMES_OF_ZONES.split()))
+# of the zone database as well: America/Chicago
+REGIONS = "Africa America Antarctica Arctic Asia Atlantic Australia Brazil Canada Chile Etc Europe Indian Mexico Pacific US"
+NAME_OF_ZONE = re.compile(r"(?<![A-Za-z])([Ll]ocal|LOCAL|%s|(?:%s)/[A-Za-z_]+(?:/[A-Za-z_]+)?)(?![A-Za-z])" % ("|".join(NAMES_OF_ZONES.split()), "|".join(REGIONS.split())))
 # whose order of day and month needs no guess: year first, months by name, points (day first)
 UNMISTAKABLE = [re.compile(date + REST, re.IGNORECASE) for date in (
     r"(?P<year>\d{4})(?P<sign>[-/.])(?P<month>\d\d?)(?P=sign)(?P<day>\d\d?)",
@@ -69,6 +74,15 @@ def seconds_of(text, form=None):
         return None
 
 
+def own_offset(text, form=None):
+    """Of the time zone in a date, ahead of UTC [s]; None without one. `form` as in seconds_of()."""
+    try:
+        when = by_form(text.strip(), form) if form else unmistakable(text.strip())
+        return when.utcoffset().total_seconds() if when is not None and when.tzinfo else None
+    except (ValueError, OverflowError):
+        return None
+
+
 def by_form(text, form):
     when = datetime.strptime(text, form)
     if TOUCHING.search(form) and len(when.strftime(form)) > len(text) and "%f" not in form:
@@ -91,13 +105,14 @@ def unmistakable(text):
 
 def zone_of(text):
     """Of a text by ZONE. ValueError where there is no such zone."""
-    sign, digits = re.search(r"([+-]?)([\d:]*)$", text).groups()
+    text = re.sub(HOURS + "$", "", text, flags=re.IGNORECASE)
+    sign, digits, share = re.search(r"([+\-\u2212\u2013]?)\s*([\d:]*)([.,]\d+)?$", text).groups()
     digits = digits.replace(":", "")
     hours, minutes = (digits[:-2], digits[-2:]) if len(digits) > 2 else (digits, "0")
-    offset = 60 * int(hours or "0") + int(minutes)
+    offset = 60 * int(hours or "0") + int(minutes) + 60 * float("0." + share[1:] if share else 0)
     if offset > MOST_OFFSET:
         raise ValueError("no time zone: " + text)
-    return timezone(timedelta(minutes=-offset if sign == "-" else offset))
+    return timezone(timedelta(minutes=-offset if sign and sign != "+" else offset))
 
 
 def offset_of(text):

@@ -2,8 +2,8 @@
 import numpy
 from drill_rig_sim.field.cells import is_blank, is_foreign_number, is_number
 from drill_rig_sim.field.column_finder import columns_of, form_of_header, zones_in
-from drill_rig_sim.field.dates import forms_for, offset_of, seconds_of, zone_said
-from drill_rig_sim.field.signals import SIGNALS
+from drill_rig_sim.field.dates import form_in, forms_for, offset_of, own_offset, seconds_of, zone_said
+from drill_rig_sim.field.signals import SIGNALS, word
 from drill_rig_sim.field.table import RecordError
 from drill_rig_sim.field.units import UnitError, factor_of, is_unit
 
@@ -68,6 +68,7 @@ def times_of(table, column, mapped, remarks):
     if is_date(table, places, column, cells):
         time, zoned = dates_of(table, cells, column, form_of_header(table, places))
         offsets = numpy.zeros(len(time)) if zoned else offsets_by_row(table, places, remarks)
+        remarks += unused_zone(table, places, cells, column.form) if zoned else []
         return time - offsets, True, float(offsets[0]) if len(offsets) else 0.0
     unit = unit_of(table, places[0], column, "time")
     first = next((k for k, cell in enumerate(cells) if cell), None)
@@ -89,6 +90,9 @@ def looks_like(cells, first):
 
 
 NO_OFFSET = "%s: the time zone %s is not known by its offset: the dates are taken as UTC; needed where that matters: UTC-06:00"
+
+NO_ZONE = "%s: %s in the header is not known as a time zone: the dates are taken as UTC; needed where that matters: UTC-06:00"
+FORMS = ("date", "datetime", "time", "timestamp", "iso", "iso8601", "text", "string", "none", "unitless", "na", "24h", "24hr", "24hrs")
 
 
 def offsets_by_row(table, places, remarks):
@@ -116,7 +120,24 @@ def offset_said(table, places, remarks):
         remarks.append("%s: its dates are taken by %s, as the header says" % (name, text))
     elif text and not zone:
         remarks.append(NO_OFFSET % (name, text))
+    elif not text:
+        unknown = next((table.units[place] for place in places if table.units[place] and not is_form(table.units[place])), None)
+        remarks += [NO_ZONE % (name, unknown)] if unknown else []
     return offset
+
+
+def unused_zone(table, places, cells, form):
+    """A line, where the dates have a time zone of their own and the header says another."""
+    zone, text = zone_said([text for place in places for text in (table.names[place], table.units[place]) if text])
+    first = next((cell for cell in cells if cell), "")
+    if zone is None or own_offset(first, form) in (None, zone.utcoffset(None).total_seconds()):
+        return []
+    return ["%s: the dates are taken by their own time zone (first: %s), not by %s of the header" % (table.names[places[0]], first, text)]
+
+
+def is_form(unit):
+    """Whether what stands for a unit of dates says how they are written, or nothing."""
+    return bool(form_in(unit)) or is_unit(unit, "time") or word(unit) in FORMS
 
 
 def is_null(cell):
