@@ -172,6 +172,15 @@ class Tables(Folder):
         record = self.read(table(header=("Time (UTC+2)", *DATED[1:]), times=dates("%Y-%m-%d %H:%M:%S+02:00")))
         self.right(record)
 
+    def test_bit_below_bottom(self):
+        """As where the names of two columns have been exchanged."""
+        def depths(bit, hole):
+            header = "Time (s),Hookload (klbf),Block Height (ft),Bit Depth (m),Hole Depth (m)\n"
+            return self.read(header + "".join("%d,%g,%g,%g,%g\n" % (*row, bit + 0.1 * k, hole) for k, row in enumerate(ROWS)))
+        self.right(depths(999.0, 1000.0))
+        self.right(depths(1000.5, 1000.0))
+        self.right(depths(1010.0, 1000.0), ["bit_depth is up to 10.3 m below hole_depth (4 of 4 rows, first at 0 s); check the names of both columns"])
+
     def test_time_zones_in_a_column(self):
         """Of one that changes within the record: summer time ends."""
         times = ["2024-10-27 02:59:50,+02:00", "2024-10-27 02:59:55,+02:00", "2024-10-27 02:00:00,+01:00", "2024-10-27 02:00:05,+01:00"]

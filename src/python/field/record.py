@@ -13,6 +13,7 @@ from drill_rig_sim.field.witsml import read_witsml
 
 MOST_DAYS = 400.0  # that a record may last
 COMPARED = ("hook_load", "torque", "stand_pipe_pressure")  # with what is simulated; the others are played
+BELOW_BOTTOM = 1.0  # from which on a bit below the hole's bottom is reported [m]
 LONG_GAP, SHORTEST_GAP = 10.0, 5.0  # of rows' distance, and s, from which on a gap is reported
 
 
@@ -121,9 +122,20 @@ def remarks_of(record):
     longest, begin = longest_step(record.time)
     if longest > long_step(record.time):
         lines.append("a gap of %.4g s from %.6g s on" % (longest, begin))
+    lines += below_bottom(record)
     return lines + ["has no %s: %s" % (signal, so) for signal, so in (
         ("flow", "the pump is assumed to be off"), ("top_drive_speed", "the string is assumed not to rotate"),
         ("bit_depth", "the string is assumed to move with the block at all times")) if signal not in record]
+
+
+def below_bottom(record):
+    """A line, where the bit is deeper than the hole."""
+    if "bit_depth" not in record or "hole_depth" not in record:
+        return []
+    below = numpy.nan_to_num(record.signals["bit_depth"] - record.signals["hole_depth"], nan=0.0)
+    rows = numpy.flatnonzero(below > BELOW_BOTTOM)
+    return ["bit_depth is up to %.4g m below hole_depth (%d of %d rows, first at %.6g s); check the names of both columns" %
+            (below.max(), len(rows), len(below), record.time[rows[0]])] if len(rows) else []
 
 
 def bridged(time, good):
