@@ -1,6 +1,7 @@
 #include "drill_rig_sim/instruments/instruments.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "drill_rig_sim/math/units.h"
 
@@ -33,7 +34,7 @@ void RateMeter::shift_time(double shift) noexcept
 }
 
 Instruments::Instruments(const Scene& scene, const Truth& at_start, std::uint64_t seed)
-  : place_(scene.instruments.hook_load.place), block_weight_(standard_gravity * scene.rig.hoisting.block_mass), hook_load_mean_(scene.rig.heave.wave_period()), zero_mean_(scene.rig.heave.wave_period())
+  : place_(scene.instruments.hook_load.place), block_weight_(standard_gravity * scene.rig.hoisting.block_mass), pump_noise_(scene.instruments.stand_pipe_pressure.pump_noise), hook_load_mean_(scene.rig.heave.wave_period()), zero_mean_(scene.rig.heave.wave_period())
 {
   const InstrumentsSpec& spec = scene.instruments;
   const double interval = scene.numerics.step > 0.0 ? scene.numerics.step : shortest_frame;
@@ -54,7 +55,7 @@ void Instruments::read(const Truth& truth, const SensorView& view, Readings& rea
 {
   if (view.in_slips) tally_ = readings.bit_depth;
   static_cast<RigSignals&>(readings) = truth;
-  read_gauges(truth, readings);
+  read_gauges(truth, pump_noise_ > 0.0 ? pulsation_of(pump_noise_, view.pump_strokes) : 0.0, readings);
   hook_load_mean_.take(readings.hook_load, readings.time);
   zero_mean_.take(readings.hook_load, readings);
   work_out_weights(readings);
@@ -66,11 +67,18 @@ void Instruments::read(const Truth& truth, const SensorView& view, Readings& rea
   readings.dynamics = dynamics_.arrived();
 }
 
-void Instruments::read_gauges(const Truth& truth, Readings& readings) noexcept
+double pulsation_of(double amplitude, double strokes) noexcept
 {
+  constexpr double pistons = 3.0;
+  return amplitude * std::sin(2.0 * pi * pistons * std::fmod(strokes, 1.0));
+}
+
+void Instruments::read_gauges(const Truth& truth, double pulsation, Readings& readings) noexcept
+{
+  const auto at_gauge = [&](Gauge gauge, double value) { return gauge == Gauge::stand_pipe_pressure && pulsation != 0.0 ? value * (1.0 + pulsation) : value; };
   readings.lost_gauges = 0;
   std::size_t k = 0;
-#define GAUGE(type, name, ...) readings.name = gauges_[k++].read(truth.name, truth.time);
+#define GAUGE(type, name, ...) readings.name = gauges_[k++].read(at_gauge(Gauge::name, truth.name), truth.time);
 #define GAUGE_LIKE GAUGE
 #include "drill_rig_sim/scene/signal_list.h"
   if (place_ == HookLoadPlace::dead_line) readings.hook_load = readings.dead_line_hook_load;

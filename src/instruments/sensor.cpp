@@ -94,10 +94,20 @@ bool Sensor::sample_is_due(double time) noexcept
 double Sensor::sample(double time) noexcept
 {
   if (spec_.drift > 0.0 && started_) wandered_ += spec_.drift * std::sqrt(time - last_sample_) * noise_.normal();
+  const double outlier = outlier_after(started_ ? time - last_sample_ : 0.0);
   last_sample_ = time;
   const double noise = std::hypot(spec_.noise, fault.noise);
-  const double shown = filtered_ + spec_.bias + wandered_ + fault.bias + fault.drifted + (noise > 0.0 ? noise * noise_.normal() : 0.0);
+  const double shown = filtered_ + spec_.bias + wandered_ + fault.bias + fault.drifted + (noise > 0.0 ? noise * noise_.normal() : 0.0) + outlier;
   return rounded(shown, spec_.resolution);
+}
+
+/// By which a sample is off that comes `passed` [s] after the one before.
+double Sensor::outlier_after(double passed) noexcept
+{
+  if (spec_.outlier_interval <= 0.0) return 0.0;
+  const double drawn = noise_.uniform(), likely = -std::expm1(-passed / spec_.outlier_interval);
+  if (drawn >= likely) return 0.0;
+  return drawn < 0.5 * likely ? spec_.outlier_size : -spec_.outlier_size;
 }
 
 void Sensor::remember(double truth, double time) noexcept

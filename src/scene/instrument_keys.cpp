@@ -27,6 +27,8 @@ std::vector<Key<Spec>> gauge_rows()
   {"rate",                  "1/s",    &Spec::rate,                         between(0.0, 1e4),    "samples per second, each shown until the next; 0: one each frame"},
   {"dropout_interval",      "s",      &Spec::dropout_interval,             between(0.0, 1e7),    "mean time from the end of a drop-out to the next: it then shows its last reading, and `lost_gauges` of `rig_state` reports it; 0: none"},
   {"dropout_duration",      "s",      &Spec::dropout_duration,             between(0.001, 1e7),  "mean time that a drop-out lasts"},
+  {"outlier_interval",      "s",      &Spec::outlier_interval,             between(0.0, 1e7),    "mean time between outliers, single samples that are off by `outlier_size` up or down; 0: none"},
+  {"outlier_size",          "signal", &Spec::outlier_size,                 between(0.0, 1e9),    "by which an outlier is off; needed with `outlier_interval`"},
   };
 }
 
@@ -79,6 +81,10 @@ const Table<HookLoadSpec> hook_load_keys = {"instruments.surface.hook_load", "Wh
                                                [](const HookLoadSpec& h) { return static_cast<int>(h.place); }},
                                                                            none,                 "dead_line: the anchor's sensor, the sheaves' friction is in its signal; block: the load itself"},
 }, gauge_rows<HookLoadSpec>())};
+
+const Table<PressureSpec> pressure_keys = {"instruments.surface.stand_pipe_pressure", "What `stand_pipe_pressure` of `rig_state` is read from.", joined<PressureSpec>({
+  {"pump_noise",            "-",      &PressureSpec::pump_noise,           between(0.0, 0.5),    "amplitude of the pump's pulsation as a share of the pressure, three times a stroke (triplex pump); `filter_time` damps it; `differential_pressure` of `rig_state` has it too"},
+}, gauge_rows<PressureSpec>())};
 
 const Table<SensorSpec> sensor_keys = {"instruments.surface.*", "Any gauge, in the unit of its signal.", gauge_rows<SensorSpec>()};
 // clang-format on

@@ -23,6 +23,7 @@ public:
       for (const double value : {row.bit_depth, row.level}) add_number(value);
     add_rheology(scene.rheology);
     for (const PartSpec& part : scene.string) add_part(part);
+    add_keys(rig_keys, scene.rig);
     add_keys(hoisting_keys, scene.rig.hoisting);
     add_keys(top_drive_keys, scene.rig.top_drive);
     add_keys(soft_torque_keys, scene.rig.top_drive.soft_torque);

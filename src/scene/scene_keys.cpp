@@ -256,6 +256,7 @@ const Table<RigSpec> rig_keys = {"rig", "The rig above the rotary table.", {
   {"top_drive",             "",       Nested{},                            none,                 "rotary drive and torque meter"},
   {"mud_pump",              "",       Nested{},                            none,                 "pump and stand pipe"},
   {"heave",                 "",       Nested{},                            none,                 "waves under a floating rig"},
+  {"plc_latency",           "s",      &RigSpec::plc_latency,               between(0.0, 2.0),    "dead time of the rig's controller: set points of winch, top drive, pump and steering act so much later; `rig_state` shows those that act. Interlocks and faults act at once"},
 }};
 
 const Table<HoistingSpec> hoisting_keys = {"rig.hoisting", "Drill line, travelling block and winch.", {
@@ -267,6 +268,7 @@ const Table<HoistingSpec> hoisting_keys = {"rig.hoisting", "Drill line, travelli
   {"sheave_efficiency",     "-",      &HoistingSpec::sheave_efficiency,    between(0.8, 1.0),    "efficiency of one sheave"},
   {"rail_friction",         "-",      &HoistingSpec::rail_friction,        between(0.0, 0.5),    "friction of the block on its guide rail, relative to its weight"},
   {"line_damping",          "-",      &HoistingSpec::line_damping,         between(0.0, 1.0),    "damping of the empty block on its lines, relative to critical"},
+  {"latency",               "s",      &HoistingSpec::latency,              between(0.0, 2.0),    "dead time of the drawworks' drive: the winch's set point acts so much later, beyond rig.plc_latency"},
   {"max_speed",             "m/s",    &HoistingSpec::max_speed,            between(0.001, 20.0), "largest speed of the block"},
   {"max_acceleration",      "m/s2",   &HoistingSpec::max_acceleration,     between(0.001, 50.0), "largest acceleration of the block"},
   {"max_hook_load",         "N",      &HoistingSpec::max_hook_load,        between(1e3, 5e7),    "largest pull of the winch, as hook load"},

@@ -68,9 +68,11 @@ extern const Table<ToolfaceSpec> toolface_keys;
 extern const Table<DynamicsSpec> dynamics_keys;
 extern const Table<InstrumentsSpec> surface_keys;
 extern const Table<HookLoadSpec> hook_load_keys;
+extern const Table<PressureSpec> pressure_keys;
 extern const Table<SensorSpec> sensor_keys;
 /// The keys of a gauge.
 inline const Table<HookLoadSpec>& keys_of(const HookLoadSpec&) { return hook_load_keys; }
+inline const Table<PressureSpec>& keys_of(const PressureSpec&) { return pressure_keys; }
 inline const Table<SensorSpec>& keys_of(const SensorSpec&) { return sensor_keys; }
 extern const Table<ProgramStep> program_keys;
 extern const Table<Operation> operation_keys;

@@ -316,6 +316,13 @@ ProblemList scene_problems(const Scene& scene)
   if (scene.instruments.dynamics.from_bit > scene.start.bit_depth)
     problems.emplace_back("instruments.dynamics.from_bit", metres(scene.instruments.dynamics.from_bit) +
                                                                " is above the rotary table, allowed: up to start.bit_depth, " + metres(scene.start.bit_depth));
+  const auto check_outliers = [&](const char* gauge, const SensorSpec& spec)
+  {
+    if (spec.outlier_interval > 0.0 && spec.outlier_size == 0.0)
+      problems.emplace_back(std::string("instruments.surface.") + gauge + ".outlier_size", "is needed with outlier_interval, allowed: above 0");
+  };
+#define GAUGE(type, name, ...) check_outliers(#name, scene.instruments.name);
+#include "drill_rig_sim/scene/signal_list.h"
   check_telemetry("instruments.toolface.latency", scene.instruments.toolface.period, scene.instruments.toolface.latency, problems);
   return problems;
 }

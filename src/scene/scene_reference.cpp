@@ -100,6 +100,7 @@ std::string scene_reference()
   write(out, dynamics_keys);
   write(out, surface_keys);
   write(out, hook_load_keys);
+  write(out, pressure_keys);
   write(out, sensor_keys);
   write(out, program_keys);
   write(out, operation_keys, operation_words);

@@ -203,7 +203,7 @@ std::string rig_of(const RigSpec& rig)
   const std::string drive = joined({entries_of(top_drive_keys, rig.top_drive), block_of("soft_torque", soft_torque_keys, rig.top_drive.soft_torque, usual.soft_torque),
                                     block_of("z_torque", z_torque_keys, rig.top_drive.z_torque, usual.z_torque)});
   return block("rig", joined({block_of("hoisting", hoisting_keys, rig.hoisting), block("top_drive", drive), pump_of(rig.mud_pump),
-                              block_of("heave", heave_keys, rig.heave)}));
+                              block_of("heave", heave_keys, rig.heave), entries_of(rig_keys, rig)}));
 }
 
 std::string instruments_of(const InstrumentsSpec& instruments)

@@ -115,6 +115,7 @@ SensorView Simulator::Impl::sensor_view() const noexcept
   view.axis = x_axis(q);
   view.scribe = y_axis(q);
   view.spin_speed = shown().nodes[at.lower].rate.spin;
+  view.pump_strokes = shown().hydraulics.strokes;
   view.in_slips = state.connection.under_way || slips_load(shown()) > 0.0;
   if (scene.instruments.dynamics.period > 0.0) view.sub = sub_view();
   return view;

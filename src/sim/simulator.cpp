@@ -66,6 +66,7 @@ Simulator::Impl::Impl(const Scene& s, std::uint64_t seed_of_noise, RigAtRest&& r
   state.forces.hook_load = rig.statics.top_force + standard_gravity * scene.rig.hoisting.block_mass;
   state.forces.meter_torque = rig.statics.top_torque;
   find_stand();
+  state.delay = CommandDelay(scene.rig.plc_latency, scene.rig.hoisting.latency);
   state.zero_mean = ZeroMean(scene.rig.heave.wave_period());
   measure();
   state.instruments = Instruments(scene, state.truth, seed);
@@ -175,6 +176,7 @@ FrameStatus Simulator::frame(double duration) noexcept
   drill_rig_sim::watch_commands(impl_->command_timeout, impl_->now(), impl_->state.commands);
   impl_->steer();
   watch_interlocks(impl_->scene.rig, impl_->state.readings, impl_->state.commands.in_force(), impl_->state.interlocks);
+  impl_->state.delay.take(impl_->state.commands.in_force(), impl_->now());
   const Setpoints setpoints = impl_->in_force();
   impl_->order_frame(duration, setpoints);
   impl_->integrator->profiler().restart();  // what companions took in this thread is theirs
@@ -380,6 +382,7 @@ void Simulator::Impl::shift_time(double now) noexcept
   state.truth.time = state.readings.time = now;
   state.zero_mean.shift_time(shift);
   state.commands.shift_time(shift);
+  state.delay.shift_time(shift);
   state.downlink.shift_time(shift);
   state.instruments.shift_time(shift);
 }

@@ -69,8 +69,11 @@ struct Simulator::Impl
   bool settle() noexcept;
   template <class Setpoint>
   CommandResult command(const Setpoint& c, const char* lock) noexcept;
-  /// Set points that act: those asked for, but for what the watchdog, interlocks and faults make of them.
-  Setpoints in_force() const noexcept { return restrained(state.commands.in_force(), state.interlocks, state.mechanics.faults); }
+  /// Set points that act: those asked for, after their dead times, but for what the watchdog, interlocks and faults make of them.
+  Setpoints in_force() const noexcept
+  {
+    return restrained(state.delay.is_on() ? state.delay.passed() : state.commands.in_force(), state.interlocks, state.mechanics.faults);
+  }
   void shift_time(double now) noexcept;
   void steer() noexcept;
   void measure() noexcept;

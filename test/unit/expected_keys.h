@@ -43,6 +43,7 @@ inline std::vector<Expected> of_instruments()
       {"instruments.toolface", "max_speed_rpm", [](const Scene& s) { return s.instruments.toolface.max_speed; }, 12.1 * rpm},
       {"instruments.toolface", "period", [](const Scene& s) { return s.instruments.toolface.period; }, 10.1},
       {"instruments.toolface", "latency", [](const Scene& s) { return s.instruments.toolface.latency; }, 4.1},
+      {"instruments.surface.stand_pipe_pressure", "pump_noise", [](const Scene& s) { return s.instruments.stand_pipe_pressure.pump_noise; }, 0.031},
       {"instruments.surface.hook_load", "place", [](const Scene& s) { return number(s.instruments.hook_load.place == HookLoadPlace::block); }, 1.0},
   };
   using Get = std::function<const SensorSpec&(const Scene&)>;
@@ -58,15 +59,20 @@ inline std::vector<Expected> of_instruments()
                                                                {"drift", &SensorSpec::drift},
                                                                {"rate", &SensorSpec::rate},
                                                                {"dropout_interval", &SensorSpec::dropout_interval},
-                                                               {"dropout_duration", &SensorSpec::dropout_duration}};
+                                                               {"dropout_duration", &SensorSpec::dropout_duration},
+                                                               {"outlier_interval", &SensorSpec::outlier_interval},
+                                                               {"outlier_size", &SensorSpec::outlier_size}};
   for (std::size_t g = 0; g < std::size(gauges); ++g)
-    for (int k = 0; k < 9; ++k)
+    for (int k = 0; k < static_cast<int>(std::size(keys)); ++k)
     {
       const Get get = gauges[g].second;
       const auto member = keys[k].second;
       const auto field = [get, member](const Scene& s) { return get(s).*member; };
       const double value = static_cast<double>(g + 1) + 0.1 * (k + 1);
-      all.push_back({g == 0 ? "instruments.surface.hook_load" : "instruments.surface.*", keys[k].first, field, value});
+      const char* const own = g == static_cast<std::size_t>(Gauge::hook_load)             ? "instruments.surface.hook_load"
+                              : g == static_cast<std::size_t>(Gauge::stand_pipe_pressure) ? "instruments.surface.stand_pipe_pressure"
+                                                                                          : "instruments.surface.*";
+      all.push_back({own, keys[k].first, field, value});
       all.push_back({"instruments.surface", gauges[g].first, field, value});
     }
   return all;

@@ -30,11 +30,12 @@ string:
   - {name: r1, type: rotary_steerable, length: 14.1, outer_diameter: 0.2032, inner_diameter: 0.0741, linear_mass: 217.0, bit_to_pads: 48.5, pad_force: 15001.0, downlink_bit_time: 13.1}
   - {name: p1, type: pipe, joints: fill, joint_length: 9.6, outer_diameter: 0.128, inner_diameter: 0.1087, linear_mass: 32.0, tool_joint_diameter: 0.169}
 rig:
-  hoisting: {sheaves: 6, line_ea: 4.1e7, crown_height: 47.0, fixed_length: 61.0, block_mass: 17600.0, sheave_efficiency: 0.97, rail_friction: 0.04, line_damping: 0.05, max_speed: 1.6, max_acceleration: 0.6, max_hook_load: 2.6e6, min_hook_load: 51001.0, trip_hook_load: 1.9e6, lowest_block_height: 1.1, highest_block_height: 41.0, connection_time: 171.0, stand_joints: 2}
+  hoisting: {sheaves: 6, line_ea: 4.1e7, crown_height: 47.0, fixed_length: 61.0, block_mass: 17600.0, sheave_efficiency: 0.97, latency: 0.31, rail_friction: 0.04, line_damping: 0.05, max_speed: 1.6, max_acceleration: 0.6, max_hook_load: 2.6e6, min_hook_load: 51001.0, trip_hook_load: 1.9e6, lowest_block_height: 1.1, highest_block_height: 41.0, connection_time: 171.0, stand_joints: 2}
   top_drive: {inertia: 2600.0, proportional_gain: 20001.0, integral_gain: 5001.0, max_torque: 50001.0, max_speed_rpm: 221.0, max_power: 750001.0, meter_stiffness: 1.1e6, gearbox_friction: 1001.0, brake_torque: 50001.0, max_acceleration_rpm: 71.0,
     soft_torque: {damping: 801.0, stiffness: 3951.0, inertia_compensation: 0.11}, z_torque: {damping: 401.0, stiffness: 61.0, inertia_compensation: 0.91}}
   mud_pump: {max_flow: 0.061, flow_ramp: 0.011, stroke_volume: 0.0161, relief_pressure: 3.51e7, trip_pressure: 3.41e7, pressure_coefficient: 4.1e9, loss_exponent: 1.83}
   heave: {amplitude: 1.1, period: 11.0}
+  plc_latency: 0.21
 contact: {stiffness: 5.3e7, assembly_stiffness: 2.1e10, exponent: 1.53, damping: 0.33, stribeck_speed: 0.051, static_ratio: 1.21, stribeck_curve: exponential, growth_at_rest: 0.03, growth_time: 1.7, growth_limit: 0.43, tangential_stiffness: 5.4e6, tangential_damping: 0.26}
 trajectory: {stage_two_length: 0.11}
 start: {bit_depth: 801.0, block_height: 35.0, weight_on_bit: 1001.0, torque_on_bit: 101.0, toolface_deg: 11.0}
@@ -45,12 +46,12 @@ instruments:
   toolface: {period: 10.1, latency: 4.1, noise_deg: 0.51, resolution_deg: 2.8, max_speed_rpm: 12.1}
   dynamics: {period: 17.1, latency: 7.3, from_bit: 21.7}
   surface:
-    hook_load: {place: block, noise: 1.1, bias: 1.2, delay: 1.3, filter_time: 1.4, resolution: 1.5, drift: 1.6, rate: 1.7, dropout_interval: 1.8, dropout_duration: 1.9}
-    torque: {noise: 2.1, bias: 2.2, delay: 2.3, filter_time: 2.4, resolution: 2.5, drift: 2.6, rate: 2.7, dropout_interval: 2.8, dropout_duration: 2.9}
-    stand_pipe_pressure: {noise: 3.1, bias: 3.2, delay: 3.3, filter_time: 3.4, resolution: 3.5, drift: 3.6, rate: 3.7, dropout_interval: 3.8, dropout_duration: 3.9}
-    flow: {noise: 4.1, bias: 4.2, delay: 4.3, filter_time: 4.4, resolution: 4.5, drift: 4.6, rate: 4.7, dropout_interval: 4.8, dropout_duration: 4.9}
-    block_height: {noise: 5.1, bias: 5.2, delay: 5.3, filter_time: 5.4, resolution: 5.5, drift: 5.6, rate: 5.7, dropout_interval: 5.8, dropout_duration: 5.9}
-    encoder_bit_depth: {noise: 6.1, bias: 6.2, delay: 6.3, filter_time: 6.4, resolution: 6.5, drift: 6.6, rate: 6.7, dropout_interval: 6.8, dropout_duration: 6.9}
+    hook_load: {place: block, noise: 1.1, bias: 1.2, delay: 1.3, filter_time: 1.4, resolution: 1.5, drift: 1.6, rate: 1.7, dropout_interval: 1.8, dropout_duration: 1.9, outlier_interval: 2.0, outlier_size: 2.1}
+    torque: {noise: 2.1, bias: 2.2, delay: 2.3, filter_time: 2.4, resolution: 2.5, drift: 2.6, rate: 2.7, dropout_interval: 2.8, dropout_duration: 2.9, outlier_interval: 3.0, outlier_size: 3.1}
+    stand_pipe_pressure: {pump_noise: 0.031, noise: 3.1, bias: 3.2, delay: 3.3, filter_time: 3.4, resolution: 3.5, drift: 3.6, rate: 3.7, dropout_interval: 3.8, dropout_duration: 3.9, outlier_interval: 4.0, outlier_size: 4.1}
+    flow: {noise: 4.1, bias: 4.2, delay: 4.3, filter_time: 4.4, resolution: 4.5, drift: 4.6, rate: 4.7, dropout_interval: 4.8, dropout_duration: 4.9, outlier_interval: 5.0, outlier_size: 5.1}
+    block_height: {noise: 5.1, bias: 5.2, delay: 5.3, filter_time: 5.4, resolution: 5.5, drift: 5.6, rate: 5.7, dropout_interval: 5.8, dropout_duration: 5.9, outlier_interval: 6.0, outlier_size: 6.1}
+    encoder_bit_depth: {noise: 6.1, bias: 6.2, delay: 6.3, filter_time: 6.4, resolution: 6.5, drift: 6.6, rate: 6.7, dropout_interval: 6.8, dropout_duration: 6.9, outlier_interval: 7.0, outlier_size: 7.1}
 needs: [torque, rop]
 connections: off
 program:

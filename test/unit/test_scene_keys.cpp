@@ -141,6 +141,8 @@ std::vector<Expected> of_rig()
       {"rig.hoisting", "fixed_length", [](const Scene& s) { return s.rig.hoisting.fixed_length; }, 61.0},
       {"rig.hoisting", "block_mass", [](const Scene& s) { return s.rig.hoisting.block_mass; }, 17600.0},
       {"rig.hoisting", "sheave_efficiency", [](const Scene& s) { return s.rig.hoisting.sheave_efficiency; }, 0.97},
+      {"rig", "plc_latency", [](const Scene& s) { return s.rig.plc_latency; }, 0.21},
+      {"rig.hoisting", "latency", [](const Scene& s) { return s.rig.hoisting.latency; }, 0.31},
       {"rig.hoisting", "rail_friction", [](const Scene& s) { return s.rig.hoisting.rail_friction; }, 0.04},
       {"rig.hoisting", "line_damping", [](const Scene& s) { return s.rig.hoisting.line_damping; }, 0.05},
       {"rig.hoisting", "max_speed", [](const Scene& s) { return s.rig.hoisting.max_speed; }, 1.6},

@@ -55,7 +55,7 @@ void each_number(const Look& look)
   const auto all = [&](const auto&... tables) { (each_number(tables, look), ...); };
   all(well_keys, tie_in_keys, section_keys, layer_keys, mud_keys, part_keys, part_contact_keys, bit_bottom_keys, bit_torque_keys, hoisting_keys, top_drive_keys,
       soft_torque_keys, z_torque_keys, mud_pump_keys, heave_keys, contact_keys, trajectory_keys, start_keys, numerics_keys, mwd_keys, toolface_keys, dynamics_keys,
-      hook_load_keys, sensor_keys, program_keys, operation_keys);
+      hook_load_keys, pressure_keys, sensor_keys, program_keys, operation_keys);
 }
 
 /// The symbol and the further spellings that may follow a number: without those that begin with one (1000 lbf).

@@ -46,6 +46,8 @@ SensorSpec bad_spec()
   spec.rate = 20.0;
   spec.dropout_interval = 1.0;
   spec.dropout_duration = 0.3;
+  spec.outlier_interval = 2.0;
+  spec.outlier_size = 5000.0;
   return spec;
 }
 

@@ -53,6 +53,10 @@ private:
   std::size_t newest_ = 0, held_ = 0;
 };
 
+/// Pulsation of a triplex pump after its damper, relative: a sin(2 pi 3 s) of its strokes s, each of which turns the crank once and moves three pistons.
+/// Higher harmonics and reflections in the lines are left out.
+double pulsation_of(double amplitude, double strokes) noexcept;
+
 /// The rig's gauges and what is worked out from them: from the truth to the readings, as signals.h (Readings) says.
 class Instruments
 {
@@ -94,12 +98,13 @@ private:
     const bool dead_line = gauge == Gauge::hook_load && place_ == HookLoadPlace::dead_line;
     return gauges_[static_cast<std::size_t>(dead_line ? Gauge::dead_line_hook_load : gauge)];
   }
-  void read_gauges(const Truth& truth, Readings& readings) noexcept;
+  void read_gauges(const Truth& truth, double pulsation, Readings& readings) noexcept;
   void work_out_weights(Readings& readings) const noexcept;
   void work_out_depths(Readings& readings) noexcept;
 
   HookLoadPlace place_ = HookLoadPlace::dead_line;
   double block_weight_ = 0.0;  // with top drive [N]
+  double pump_noise_ = 0.0;    // of the stand-pipe pressure, as a share of it [-]
   std::array<Sensor, gauge_count> gauges_;  // by Gauge; the first at the block
   Mwd mwd_;
   DynamicsTool dynamics_;

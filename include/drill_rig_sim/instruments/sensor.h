@@ -57,6 +57,8 @@ struct SensorFault
 /// - Filter: y' = (x - y)/T, exact for a signal x that is held between samples: y_n = x_n + (y_n-1 - x_n) e^(-h/T).
 /// - Drift: the bias goes on by a random walk, b_n = b_n-1 + K sqrt(h) N(0, 1) from 0 at the start, so that after a time t its standard
 ///   deviation is K sqrt(t): the rate random walk of IEEE Std 952-1997, annex C.
+/// - Outliers: a Poisson process with the mean interval I. A sample that comes h after the one before is off by plus or minus the outliers' size with the
+///   probability 1 - e^(-h/I), by each sign as likely.
 /// - Drop-outs: two states, good and lost, left at random at the rates a = 1/interval and b = 1/duration (Gilbert, Bell System Technical
 ///   Journal 39 (1960), 1253-1265, in continuous time). From a frame to the next, h later, a good one is lost with the probability
 ///   a/(a + b) (1 - e^(-(a + b) h)), a lost one good with b/(a + b) (...): of all time b/(a + b) is good. A gauge that is lost shows its last
@@ -113,6 +115,7 @@ private:
   void drop_out(double passed) noexcept;
   bool sample_is_due(double time) noexcept;
   double sample(double time) noexcept;
+  double outlier_after(double passed) noexcept;
 
   SensorSpec spec_;
   double spacing_ = 0.0;  // between the delay line's samples, at the shortest [s]

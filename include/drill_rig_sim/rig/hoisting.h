@@ -22,6 +22,7 @@ struct HoistingSpec
   double fixed_length = 60.0;   ///< strung length outside the block: fast and dead line [m]
   double block_mass = 17500.0;  ///< travelling block, hook and top drive [kg]
   double sheave_efficiency = 0.98;
+  double latency = 0.0;         ///< dead time of the winch's set point in the drawworks' drive [s]
   double rail_friction = 0.03;    ///< of the block on its guide rail, as a share of its weight
   double line_damping = 0.03;     ///< of the block alone on its lines, as a share of critical: "a few percent"
   double max_speed = 1.5;         ///< of the block [m/s]

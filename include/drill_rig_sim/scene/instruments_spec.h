@@ -39,6 +39,8 @@ struct SensorSpec
   double rate = 0.0;         ///< samples per second, each shown until the next [1/s]; 0: one each frame
   double dropout_interval = 0.0;  ///< mean time from a drop-out's end to the next [s]; 0: none
   double dropout_duration = 5.0;  ///< mean [s]
+  double outlier_interval = 0.0;  ///< mean time between outliers [s]; 0: none
+  double outlier_size = 0.0;      ///< by which an outlier is off, either way [unit of the signal]
 };
 
 /// Where the hook load is measured.
@@ -46,6 +48,11 @@ enum class HookLoadPlace
 {
   block,     ///< between block and lines: the load itself
   dead_line  ///< at the dead line's anchor: the friction of the sheaves is in it
+};
+
+struct PressureSpec : SensorSpec
+{
+  double pump_noise = 0.0;  ///< amplitude of the pump's pulsation, as a share of the pressure [-]
 };
 
 struct HookLoadSpec : SensorSpec
@@ -85,7 +92,7 @@ struct DynamicsSpec
   double from_bit = of_mwd;  ///< so far above the bit's face [m]; NaN: the survey tool's sensor, at the bit where there is none
 };
 
-/// The errors of a gauge: hook_load has a place too.
+/// The errors of a gauge: hook_load has a place, stand_pipe_pressure the pump's noise too.
 template <Gauge>
 struct SpecOfGauge
 {
@@ -95,6 +102,11 @@ template <>
 struct SpecOfGauge<Gauge::hook_load>
 {
   using Type = HookLoadSpec;
+};
+template <>
+struct SpecOfGauge<Gauge::stand_pipe_pressure>
+{
+  using Type = PressureSpec;
 };
 
 struct InstrumentsSpec

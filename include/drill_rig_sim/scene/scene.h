@@ -33,6 +33,7 @@ struct RigSpec
   TopDriveSpec top_drive;
   MudPumpSpec mud_pump;
   HeaveSpec heave;
+  double plc_latency = 0.0;  ///< dead time of all set points in the rig's controller [s]
 };
 
 struct StartSpec

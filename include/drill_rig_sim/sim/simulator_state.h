@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "drill_rig_sim/accuracy/measured_error.h"
+#include "drill_rig_sim/crew/command_delay.h"
 #include "drill_rig_sim/crew/commands.h"
 #include "drill_rig_sim/crew/connection.h"
 #include "drill_rig_sim/crew/crew.h"
@@ -43,6 +44,7 @@ struct SimulatorState
   State mechanics;
   RigForces forces;  ///< of the last step: for the truth, and for which pipe is guided
   CommandState commands;
+  CommandDelay delay;
   DownlinkReceiver downlink;
   InterlockState interlocks;
   bool tared = false;
@@ -69,6 +71,7 @@ struct SimulatorState
     v("mechanics", mechanics);
     v("forces", forces);
     v("commands", commands);
+    v("delay", delay);
     v("downlink", downlink);
     v("interlocks", interlocks);
     v("connection", connection);
