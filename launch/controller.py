@@ -6,7 +6,10 @@ arguments ~settings.
 --pass-over. ~orders: rows of time [s], set point and value. ~lockstep true: it steps the rig as fast as that goes, says how the law did (drill score)
 and, given ~csv, writes the truth as drill run --csv does. False: it follows rig_state and publishes commands, as with a real rig.
 """
+import os
+import signal
 import sys
+import time
 
 import rospy
 from drill_rig_sim import control, topics
@@ -51,6 +54,18 @@ def law_of_parameters():
     return control.Ordered(law, rospy.get_param("~orders", []))
 
 
+def end_launch():
+    """The launch file's goal is reached: ends roslaunch as Ctrl-C does. A required node that ends by itself is reported as one that has died, in red.
+    Returns at once where this was started in another way."""
+    parent = os.getppid()
+    with open("/proc/%d/cmdline" % parent, "rb") as line:
+        words = line.read().split(b"\0")
+    if any(os.path.basename(word) == b"roslaunch" for word in words[:2]):
+        os.kill(parent, signal.SIGINT)
+        while not rospy.is_shutdown():  # until roslaunch ends this node too
+            time.sleep(0.05)
+
+
 def main():
     rospy.init_node("controller", disable_rostime=rospy.get_param("~lockstep", False))
     law = law_of_parameters()
@@ -60,7 +75,10 @@ def main():
         topics.follow(law)
     given_up = getattr(law, "given_up", "")
     print("given up: " + given_up if given_up else "done" if law.done else "not done", flush=True)
-    return 0 if law.done and not given_up else 1
+    if given_up or not law.done:
+        return 1
+    end_launch()
+    return 0
 
 
 if __name__ == "__main__":

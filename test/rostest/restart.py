@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""The rig's node dies and is started again, its time from 0 on: controller, recorder and WITS go on with the new run."""
+"""The rig is paused in the middle of a law's run, and the law waits with it. Its node dies and is started again, its time from 0 on: controller, recorder
+and WITS go on with the new run."""
 import os
 import signal
 import socket
@@ -7,11 +8,12 @@ import tempfile
 import xmlrpc.client
 
 import rosgraph
-from drill_rig_sim.msg import RigState
+from drill_rig_sim.msg import RigState, TopDriveCommand
 from drill_rig_sim.recorder import Recorder
 from drill_rig_sim.score_runs import read_run
 from rig_test import PATIENCE, Collector, rospy, run, time, unittest, wait_until
 from rosgraph_msgs.msg import Log
+from std_srvs.srv import Trigger
 
 BEFORE = 5.0  # simulated, until the node is killed [s]
 
@@ -38,6 +40,22 @@ class Wits:
 
 
 class Restart(unittest.TestCase):
+    def test_a_pause_holds_the_law(self):
+        states, commands = Collector("/rig/rig_state", RigState), Collector("/rig/top_drive/command", TopDriveCommand)
+        wait_until(lambda: states.messages and states.messages[-1].top_drive_speed > 6.0, "the law turns the string")
+        pause, resume = (rospy.ServiceProxy("/rig/" + name, Trigger) for name in ("pause", "resume"))
+        self.assertTrue(pause().success)
+        states.wait_until(lambda m: m[-1].run_state == RigState.PAUSED)
+        commands.quiet()
+        before = states.messages[-1]
+        time.sleep(1.5)
+        self.assertEqual([], commands.messages)
+        self.assertTrue(resume().success)
+        after = states.after(before.header.stamp)[0]
+        self.assertLess((after.header.stamp - before.header.stamp).to_sec(), 0.1)
+        self.assertAlmostEqual(before.top_drive_speed, after.top_drive_speed, delta=0.1)
+        self.assertTrue(commands.wait(1), "the law goes on")
+
     def test_all_go_on_with_the_new_run(self):
         states, remarks = Collector("/rig/rig_state", RigState), Collector("/rosout", Log)
         folder = tempfile.TemporaryDirectory()
