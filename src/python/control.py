@@ -2,7 +2,7 @@
 
     commands = law.step(readings)    # every law.period of simulated time [s]; until law.done. `commands`: a drill_rig_sim.law.Commands
 
-`readings` has the fields of RigState, `t` [s], `toolface` and `survey`: the last of each that came up, with the time `t` of their measurement, or None, and
+`readings` has the fields of RigState, `t` [s], `toolface`, `survey`, `inclination` and `dynamics`: the last of each that came up, with the time `t` of their measurement, or None, and
 `refused`: why the slips or the connection asked for last were not (else ""). What a rig cannot sense is not in it.
 The same law runs in lockstep, with a node or without (`drive`), and by topics (drill_rig_sim.topics.follow).
 """
@@ -18,6 +18,7 @@ class Readings:
     def __init__(self, t, state, telemetry, refused=""):
         self.t, self._state, self.refused = t, state, refused
         self.toolface, self.survey = telemetry.toolface, telemetry.survey
+        self.inclination, self.dynamics = telemetry.inclination, telemetry.dynamics
 
     def __getattr__(self, name):
         if name in UNSENSED:
@@ -49,7 +50,7 @@ class NewRuns:
 
 class Deaf:
     """In the place of telemetry, for a law that needs none."""
-    toolface = survey = None
+    toolface = survey = inclination = dynamics = None
 
     @staticmethod
     def listen(now, period):

@@ -34,9 +34,9 @@ bool take(Simulator& simulator, const std::optional<Setpoint>& command) noexcept
 }
 
 template <class Values>
-Signals<Values> signals_of(const Values& signals, std::uint32_t epoch, const OperationStatus& operation)
+Signals<Values> signals_of(const Values& signals, const Simulator& simulator, std::uint32_t epoch, const OperationStatus& operation)
 {
-  return {signals, epoch, operation.number, operation.progress, operation.kind};
+  return {signals, epoch, operation.number, operation.progress, operation.kind, simulator.statistics().accuracy, simulator.active_faults()};
 }
 
 Bit bit_of(const Truth& t)
@@ -135,7 +135,8 @@ void InProcessRig::advance(std::size_t frames, const std::function<void()>& may_
 Frame InProcessRig::last_frame() const
 {
   const OperationStatus operation = playing_ ? player_.operations().status() : OperationStatus();
-  return {signals_of<ShownSignals>(simulator_->readings(), epoch_, operation), signals_of<TrueSignals>(simulator_->truth(), epoch_, operation), bit_of(simulator_->truth())};
+  return {signals_of<ShownSignals>(simulator_->readings(), *simulator_, epoch_, operation),
+          signals_of<TrueSignals>(simulator_->truth(), *simulator_, epoch_, operation), bit_of(simulator_->truth())};
 }
 
 std::vector<std::string> InProcessRig::remarks() const
@@ -148,6 +149,18 @@ std::string InProcessRig::kernel() const
 {
   const Turn turn(*this);
   return name_of(simulator_->statistics().kernel);
+}
+
+std::string InProcessRig::accuracy_code() const
+{
+  const Turn turn(*this);
+  return code_of(simulator_->statistics().accuracy.doubt);
+}
+
+std::vector<std::string> InProcessRig::active_faults() const
+{
+  const Turn turn(*this);
+  return words_of(simulator_->active_faults());
 }
 
 std::string InProcessRig::accuracy_warning() const
@@ -231,6 +244,18 @@ std::optional<MwdReading> InProcessRig::survey() const
   return if_any(simulator_->readings().mwd);
 }
 
+std::optional<InclinationReading> InProcessRig::inclination() const
+{
+  const Turn turn(*this);
+  return if_any(simulator_->readings().inclination);
+}
+
+std::optional<DynamicsReading> InProcessRig::dynamics() const
+{
+  const Turn turn(*this);
+  return if_any(simulator_->readings().dynamics);
+}
+
 void InProcessRig::reset(const std::string& file, double bit_depth)
 {
   const Turn turn(*this);
@@ -259,7 +284,9 @@ void InProcessRig::fault(const std::string& name, bool clear, const std::string&
 {
   const Turn turn(*this);
   require_good();
-  ask_fault(*simulator_, fault_of(kind_named(name), target, depth, magnitude), clear);
+  const FaultKind kind = kind_named(name);
+  if (!clear) require_only_what_applies(kind, target, depth, magnitude);
+  ask_fault(*simulator_, fault_of(kind, target, depth, magnitude), clear);
 }
 
 void InProcessRig::slips(bool are_set)

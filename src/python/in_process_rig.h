@@ -44,7 +44,8 @@ struct ByMessage
   }
 };
 
-/// The signals by the names of RigState.msg or RigTruth.msg; those that are constant in a process (header, run_state) or stamps are not there.
+/// The signals by the names of RigState.msg or RigTruth.msg; those that are constant in a process (header, run_state) or stamps are not there, nor refusals,
+/// which are exceptions.
 template <class Values>
 struct Signals
 {
@@ -53,6 +54,8 @@ struct Signals
   int operation_number = 0;
   double operation_progress = 0.0;
   OperationKind operation_kind = OperationKind::wait;
+  AccuracyReport accuracy;
+  ActiveFaults faults;
 
   std::string current_operation() const;
 
@@ -162,6 +165,8 @@ public:
   /// The last that has come up from downhole, if any.
   std::optional<ToolfaceReading> toolface() const;
   std::optional<MwdReading> survey() const;
+  std::optional<InclinationReading> inclination() const;
+  std::optional<DynamicsReading> dynamics() const;
 
   /// Of the batch kernels: the same scene gives the same bits by the same build and kernel alone.
   std::string kernel() const;
@@ -171,6 +176,10 @@ public:
   double joint_length() const noexcept { return scene_.string.back().joint_length; }
   /// Why the last frame's numbers may be wrong, one line (sim/accuracy.h); empty without a reason.
   std::string accuracy_warning() const;
+  /// Its short identifier, that of code_of().
+  std::string accuracy_code() const;
+  /// The faults under way, by words_of().
+  std::vector<std::string> active_faults() const;
   /// By output the error over the last 3 s that the companion measures, as a share of the output's range [-] (accuracy/measured_error.h);
   /// empty while nothing is measured.
   std::map<std::string, double> measured_errors() const;

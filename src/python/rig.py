@@ -59,6 +59,21 @@ class Rig(Lockstep):
         """A new well, from a file or by the fields of LoadSurvey; the state at its start. Set points are forgotten."""
         return self._rebuilt("load_survey", LoadSurvey, file=file, **fields)
 
+    @property
+    def accuracy_warning(self):
+        """Why the last frame's numbers may be wrong, in one line; "" without a reason."""
+        return self.state.accuracy_reason
+
+    @property
+    def accuracy_code(self):
+        """Its short identifier, which stays the same in later versions (msg/README.md lists them); "" without a reason."""
+        return self.state.accuracy_code
+
+    @property
+    def active_faults(self):
+        """The faults under way, by their words in scenes, those of gauges as "sensor_bias of hook_load"."""
+        return self.state.truth.active_faults
+
     def tare(self):
         """Zeroes surface WOB and differential pressure, off bottom; the state then."""
         self._call("tare", Trigger)

@@ -8,7 +8,7 @@
     rig.step_until(lambda s: s.truth.on_bottom, timeout=300)
     run = rig.record(60.0)                  # numpy: run.t, run.readings["hook_load"], run.truth["winch.brake"], run.bit["wob"]
 
-Readings, truth and bit are bit for bit those of a node that runs the same scene at the same rate. Beside a rig's: record(), toolface and survey.
+Readings, truth and bit are bit for bit those of a node that runs the same scene at the same rate. Beside a rig's: record(), toolface, survey, inclination and dynamics.
 """
 import os
 import typing
@@ -61,7 +61,7 @@ class Simulator(Lockstep):
         self._rig = _sim.Rig(found(scene, "config/scenes"), rate, seed, play_program)
         self.rate = rate
         self._saved = {}
-        self._telemetry = {"toolface": None, "survey": None}
+        self._telemetry = {"toolface": None, "survey": None, "inclination": None, "dynamics": None}
         report(self._rig.remarks())
         self._begin()
 
@@ -115,6 +115,16 @@ class Simulator(Lockstep):
         return self._rig.accuracy_warning()
 
     @property
+    def accuracy_code(self):
+        """Its short identifier, which stays the same in later versions (msg/README.md lists them); "" without a reason."""
+        return self._rig.accuracy_code()
+
+    @property
+    def active_faults(self):
+        """The faults under way, by their words in scenes, those of gauges as "sensor_bias of hook_load"."""
+        return self._rig.active_faults()
+
+    @property
     def measured_errors(self):
         """By output, named as drill run's columns, the error over the last 3 s that the companion measures (numerics.companion), as a share of the output's range;
         empty while nothing is measured."""
@@ -148,6 +158,16 @@ class Simulator(Lockstep):
     def survey(self):
         """The last that came up, fields of MwdSurvey and the time `t` of measurement [s]; None before."""
         return self._last("survey", self._rig.survey())
+
+    @property
+    def inclination(self):
+        """The last between surveys that came up (instruments.mwd.inclination_period), fields of MwdInclination and the time `t` of measurement [s]; None before."""
+        return self._last("inclination", self._rig.inclination())
+
+    @property
+    def dynamics(self):
+        """The last of the tool of dynamics that came up (instruments.dynamics), fields of DownholeDynamics and the time `t` of its interval's end [s]; None before."""
+        return self._last("dynamics", self._rig.dynamics())
 
     def listen(self, now, period):
         """Nothing is on its way here: see Telemetry of drill_rig_sim.topics."""

@@ -212,18 +212,21 @@ void bind_setpoints(py::module_& module)
 }
 
 template <class T>
-void bind_signals(py::module_& module, const char* name)
+py::class_<T> bind_signals(py::module_& module, const char* name)
 {
   py::class_<T> signals(module, name);
   bind_fields(signals);
   bind_pickle(signals);
   signals.def_property_readonly("current_operation", [](const T& s) { return s.current_operation(); });
+  return signals;
 }
 
 void bind_frames(py::module_& module)
 {
-  bind_signals<ShownFrame>(module, "Readings");
-  bind_signals<TrueFrame>(module, "Truth");
+  bind_signals<ShownFrame>(module, "Readings")
+      .def_property_readonly("accuracy_code", [](const ShownFrame& s) { return code_of(s.accuracy.doubt); })
+      .def_property_readonly("accuracy_reason", [](const ShownFrame& s) { return text_of(s.accuracy); });
+  bind_signals<TrueFrame>(module, "Truth").def_property_readonly("active_faults", [](const TrueFrame& s) { return words_of(s.faults); });
   py::class_<Place> place(module, "Place");
   bind_fields(place);
   py::class_<Bit> bit(module, "Bit");
@@ -244,6 +247,12 @@ void bind_telemetry(py::module_& module)
   py::class_<MwdReading> survey(module, "Survey");
   bind_fields(survey);
   survey.def_readonly("t", &MwdReading::time);
+  py::class_<InclinationReading> inclination(module, "Inclination");
+  bind_fields(inclination);
+  inclination.def_readonly("t", &InclinationReading::time);
+  py::class_<DynamicsReading> dynamics(module, "Dynamics");
+  bind_fields(dynamics);
+  dynamics.def_readonly("t", &DynamicsReading::time);
 }
 
 /// Of a survey's file, as survey_format() says, by the rules of scenes: measured depths [m], inclinations and azimuths [rad], and where the first station lies,
@@ -342,6 +351,8 @@ PYBIND11_MODULE(_sim, module)
       .def("remarks", &InProcessRig::remarks)
       .def("joint_length", &InProcessRig::joint_length)
       .def("accuracy_warning", &InProcessRig::accuracy_warning)
+      .def("accuracy_code", &InProcessRig::accuracy_code)
+      .def("active_faults", &InProcessRig::active_faults)
       .def("measured_errors", &InProcessRig::measured_errors)
       .def("not_measured", &InProcessRig::not_measured)
       .def("crew_connects", &InProcessRig::crew_connects)
@@ -354,6 +365,8 @@ PYBIND11_MODULE(_sim, module)
       .def("max_flow", &InProcessRig::max_flow)
       .def("toolface", &InProcessRig::toolface)
       .def("survey", &InProcessRig::survey)
+      .def("inclination", &InProcessRig::inclination)
+      .def("dynamics", &InProcessRig::dynamics)
       .def("reset", &InProcessRig::reset, no_gil())
       .def("load_survey", &load_survey)
       .def("tare", &InProcessRig::tare)

@@ -5,7 +5,7 @@ import types
 import rospy
 from drill_rig_sim.control import NewRuns, Readings, asked, pipe_work
 from drill_rig_sim.lockstep import MODES, Refused
-from drill_rig_sim.msg import MudPumpCommand, MwdSurvey, MwdToolface, RigState, SteeringCommand, TopDriveCommand, WinchCommand
+from drill_rig_sim.msg import DownholeDynamics, MudPumpCommand, MwdInclination, MwdSurvey, MwdToolface, RigState, SteeringCommand, TopDriveCommand, WinchCommand
 from drill_rig_sim.rig import COMMANDS, answered
 from drill_rig_sim.srv import MakeConnection
 from std_srvs.srv import SetBool
@@ -14,16 +14,18 @@ PATIENCE = 0.004  # wall time that telemetry may take to come from the rig's nod
 
 
 class Telemetry:
-    """The last toolface and survey that came up, of the messages' fields and the time `t` of measurement [s]; None before."""
+    """The last toolface, survey, inclination and dynamics that came up, of the messages' fields and the time `t` of measurement [s]; None before."""
+    TOPICS = {"toolface": ("toolface", MwdToolface), "survey": ("mwd", MwdSurvey), "inclination": ("inclination", MwdInclination),
+              "dynamics": ("dynamics", DownholeDynamics)}
 
     def __init__(self, prefix=""):
-        self.toolface = self.survey = None
-        self._subscribers = [rospy.Subscriber(prefix + "downhole/toolface", MwdToolface, lambda m: setattr(self, "toolface", arrived(m)), tcp_nodelay=True),
-                             rospy.Subscriber(prefix + "downhole/mwd", MwdSurvey, lambda m: setattr(self, "survey", arrived(m)), tcp_nodelay=True)]
+        self.toolface = self.survey = self.inclination = self.dynamics = None
+        self._subscribers = [rospy.Subscriber(prefix + "downhole/" + topic, kind, lambda m, name=name: setattr(self, name, arrived(m)), tcp_nodelay=True)
+                             for name, (topic, kind) in self.TOPICS.items()]
 
     def begin_again(self, now):
         """Forgets what is of a run before the one that begins at `now` [s]."""
-        for name in ("toolface", "survey"):
+        for name in self.TOPICS:
             last = getattr(self, name)
             if last is not None and last.t > now:
                 setattr(self, name, None)

@@ -167,6 +167,10 @@ RigState to_rig_state(const ShownSignals& from, const FrameRecord& frame, const 
   RigState m = to_message<RigState>(from, frame, frame_id);
 #define READING(type, name, ...) m.name = from.name;
 #include "drill_rig_sim/scene/signal_list.h"
+  m.accuracy_code = code_of(frame.physics.accuracy.doubt);
+  m.accuracy_reason = text_of(frame.physics.accuracy);
+  m.commands_refused = static_cast<std::uint32_t>(frame.commands_refused);
+  m.last_refusal = frame.last_refusal;
   return m;
 }
 
@@ -176,6 +180,7 @@ RigTruth to_rig_truth(const TrueSignals& from, const FrameRecord& frame, const s
 #define TRUTH(type, name, ...) m.name = from.name;
 #include "drill_rig_sim/scene/signal_list.h"
   copy_steering(frame, m);
+  m.active_faults = words_of(frame.faults);
   return m;
 }
 

@@ -193,6 +193,7 @@ DiagnosticsReport::Status DiagnosticsReport::accuracy_status(const FrameRecord& 
   const std::string errors = needed_errors(frame), why = why_not_measured(p);
   Status s = status("accuracy", why.empty() ? "measured errors, relative to the ranges: " + errors : "error not measured: " + why);
   if (frame.truth.accuracy_warning) s.mergeSummary(DiagnosticStatus::WARN, text_of(p.accuracy));
+  s.add("reason_code", code_of(p.accuracy.doubt));
   s.add("measured_errors", errors);
   for (std::size_t i = 0; p.error_is_measured && i < output_count; ++i) s.add(std::string("error_") + output_traits[i].name, p.errors[i]);
   s.add("error_window", difference_window);
@@ -217,6 +218,9 @@ DiagnosticsReport::Status DiagnosticsReport::command_status(const FrameRecord& f
   if (frame.operation.trouble != OperationTrouble::none) s.mergeSummary(DiagnosticStatus::ERROR, trouble_of(frame.operation));
   refused_before_ = refused;
   clamped_before_ = clamped;
+  std::string faults;
+  for (const std::string& word : words_of(frame.faults)) faults += (faults.empty() ? "" : ", ") + word;
+  s.add("active_faults", faults);
   s.add("clamped", clamped);
   s.add("last_clamp", frame.last_clamp);
   s.add("refused", refused);

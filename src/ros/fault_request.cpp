@@ -5,7 +5,9 @@ namespace drill_rig_sim
 Fault to_fault(const InjectFault::Request& request)
 {
   if (request.fault >= fault_count) throw Refusal("fault is " + std::to_string(request.fault) + "; allowed is 0 to " + std::to_string(fault_count - 1));
-  return fault_of(static_cast<FaultKind>(request.fault), request.target, request.depth, request.magnitude);
+  const FaultKind kind = static_cast<FaultKind>(request.fault);
+  if (!request.clear) require_only_what_applies(kind, request.target, request.depth, request.magnitude);
+  return fault_of(kind, request.target, request.depth, request.magnitude);
 }
 
 std::string said_of(const Fault& fault, bool cleared)

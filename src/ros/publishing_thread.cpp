@@ -62,7 +62,7 @@ void PublishingThread::run()
     bool changed = false;
     {
       const std::lock_guard<std::mutex> lock(mutex_);
-      changed = last_.run_state != s->frame.run_state;
+      changed = last_.run_state != s->frame.run_state || last_.commands_refused != s->frame.commands_refused;
       last_ = s->frame;
       ++published_;
     }

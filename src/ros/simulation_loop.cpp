@@ -99,6 +99,7 @@ void SimulationLoop::wait_or_work() noexcept
   if (due == Timekeeper::not_yet)
   {
     if (subscriptions_.refresh.exchange(false)) hand_over({false, true});
+    if (run_state() != RunState::running && refusals_said_ != mailbox_.refusals().number()) hand_over_again();
     return wait_while_time_stands();
   }
   if (time_.in_lockstep() && slowest_follower_ < time_.stamp() - most_behind) return wait_for_followers();

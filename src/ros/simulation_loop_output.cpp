@@ -40,7 +40,11 @@ void SimulationLoop::note_due(FrameOutput& s, const Occasion& occasion) noexcept
   s.state_due = s.new_stamp && (state_cadence_.due(simulated) || occasion.rebuilt);
   s.restored = occasion.restored;
   s.state_again = !s.new_stamp && announced_ && (occasion.said_again || run_state() != run_state_said_);
-  if (s.state_due || s.state_again) run_state_said_ = run_state();
+  if (s.state_due || s.state_again)
+  {
+    run_state_said_ = run_state();
+    refusals_said_ = mailbox_.refusals().number();
+  }
   s.accuracy_due = s.new_stamp && (accuracy_cadence_.due(simulated) || occasion.rebuilt || occasion.restored);
   // where time runs on, a new subscriber waits for the next of its stamps
   const bool profile_moves = s.new_stamp && (profile_cadence_.due(simulated) || occasion.restored);
@@ -89,6 +93,9 @@ void SimulationLoop::fill_record(FrameRecord& record, bool accuracy_due) const n
   record.loop.dropped_seconds = time_.dropped_seconds();
   record.loop.speed = time_.speed();
   record.loop.ticked_seconds = time_.ticked_seconds();
+  record.commands_refused = mailbox_.refusals().number();
+  record.last_refusal = mailbox_.refusals().last();
+  record.faults = rig_.simulator->active_faults();
   record.last_clamp = rig_.last_clamp;
   std::snprintf(record.failure.data(), record.failure.size(), "%s", rig_.failed ? rig_.simulator->failure() : "");
 }

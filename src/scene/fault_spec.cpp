@@ -19,6 +19,28 @@ Fault fault_of(FaultKind kind, const std::string& gauge, double depth, double ma
   throw std::runtime_error("target is not the name of a gauge; allowed is " + names);
 }
 
+void require_only_what_applies(FaultKind kind, const std::string& gauge, double depth, double magnitude)
+{
+  const FaultTraits& fault = traits_of(kind);
+  const auto refuse = [&](const char* field, const char* allowed)
+  { throw std::runtime_error(std::string(field) + " has no effect on " + fault.word + "; allowed is " + allowed); };
+  if (fault.place == FaultPlace::nowhere && depth != 0.0) refuse("depth", "0");
+  if (!has_magnitude(kind) && magnitude != 0.0) refuse("magnitude", "0");
+  if (!is_of_gauge(kind) && !gauge.empty()) refuse("target", "an empty one");
+}
+
+std::vector<std::string> words_of(const ActiveFaults& faults)
+{
+  std::vector<std::string> words;
+  for (int k = 0; k < fault_count; ++k)
+  {
+    if (faults.of_rig >> k & 1u) words.emplace_back(fault_traits[k].word);
+    for (int g = 0; g < gauge_count; ++g)
+      if (faults.of_gauges[static_cast<std::size_t>(g)] >> k & 1u) words.push_back(std::string(fault_traits[k].word) + " of " + gauge_names[g]);
+  }
+  return words;
+}
+
 const char* what_is_wrong_with_magnitude(const Fault& fault) noexcept
 {
   if (!has_magnitude(fault.kind)) return nullptr;

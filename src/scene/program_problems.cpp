@@ -74,6 +74,8 @@ void check_fault(const ProgramStep& step, std::size_t i, ProblemList& problems)
     problem("fault_target", step.fault_gauge < 0 ? "a gauge is needed with this fault" : "has no effect without a sensor fault, allowed: only with one");
   if (step.fault < 0) return;
   const Fault fault{static_cast<FaultKind>(step.fault), step.fault_depth, step.fault_magnitude};
+  if (traits_of(fault.kind).place == FaultPlace::nowhere && step.fault_depth != 0.0) problem("fault_depth", "has no effect on this fault, allowed: none");
+  if (!has_magnitude(fault.kind) && step.fault_magnitude != 0.0) problem("fault_magnitude", "has no effect on this fault, allowed: none");
   if (needs_pipe(fault.kind) && step.fault_depth <= 0.0) problem("fault_depth", "is needed with this fault, allowed: above 0 (the rotary table)");
   if (const char* wrong = what_is_wrong_with_magnitude(fault)) problem("fault_magnitude", wrong + std::string("magnitude: ").size());
 }

@@ -37,6 +37,23 @@ std::string words_of(unsigned needs)
 }
 }  // namespace
 
+const char* code_of(AccuracyDoubt doubt) noexcept
+{
+  switch (doubt)
+  {
+    case AccuracyDoubt::none: return "";
+    case AccuracyDoubt::measured: return "measured_error";
+    case AccuracyDoubt::confined: return "guided_pipe_buckles";
+    case AccuracyDoubt::compression: return "element_compression";
+    case AccuracyDoubt::twist: return "element_twist";
+    case AccuracyDoubt::embedding: return "soft_wall";
+    case AccuracyDoubt::slant: return "slanted_start";
+    case AccuracyDoubt::level: return "level";
+    case AccuracyDoubt::turn: return "turn_of_hole";
+  }
+  return "";
+}
+
 std::string text_of(const AccuracyReport& r)
 {
   switch (r.doubt)

@@ -43,6 +43,15 @@ void Simulator::clear(FaultKind kind, Gauge gauge) noexcept
   impl_->lead([kind](Impl& companion) { companion.end_fault(kind); });
 }
 
+ActiveFaults Simulator::active_faults() const noexcept
+{
+  ActiveFaults faults;
+  faults.of_rig = drill_rig_sim::active_faults(impl_->mechanics());
+  for (int g = 0; g < gauge_count; ++g)
+    faults.of_gauges[static_cast<std::size_t>(g)] = drill_rig_sim::active_faults(impl_->state.instruments.fault_of(static_cast<Gauge>(g)));
+  return faults;
+}
+
 /// Of the rig, not of a gauge.
 void Simulator::Impl::begin_fault(const Fault& fault) noexcept
 {

@@ -74,7 +74,11 @@ std::string rig_state_message()
 {
   return "# A rig's signals at one instant as the driller's instruments show them, on rig_state. `drill reference --of RigState.msg` prints this.\n"
          "# \"Reading:\" says how a reading is made; a gauge adds the errors of the scene's key instruments.surface (noise, bias, delay, ...).\n" +
-         run_states() + gauges() + head_of_fields() + fields(SignalOf::reading) + tail_of_fields();
+         run_states() + gauges() + head_of_fields() + fields(SignalOf::reading) + tail_of_fields() +
+         line("string accuracy_code", "why accuracy_warning is set: a short identifier, which stays the same in later versions; empty: it is not set") +
+         line("string accuracy_reason", "the same in one line, with the remedy") +
+         line("uint32 commands_refused", "commands refused since the node began, by topics and services [-]") +
+         line("string last_refusal", "why the last of them was; empty: none was");
 }
 
 std::string rig_truth_message()
@@ -83,7 +87,8 @@ std::string rig_truth_message()
          "# `drill reference --of RigTruth.msg` prints this.\n" +
          run_states() + head_of_fields() + fields(SignalOf::truth) + tail_of_fields() +
          line("SteeringCommand steering", "that the rotary steerable tool obeys, by command or downlink; header.stamp: of the last command accepted") +
-         line("bool magnetic_steering", "its toolface counts from north: the hole is nearer the vertical than 5 deg (hysteresis 4 and 6 deg)");
+         line("bool magnetic_steering", "its toolface counts from north: the hole is nearer the vertical than 5 deg (hysteresis 4 and 6 deg)") +
+         line("string[] active_faults", "the faults under way, by their words in scenes, those of gauges as \"sensor_bias of hook_load\"");
 }
 
 std::string message_of(const SignalRow& row)

@@ -3,7 +3,7 @@
 import math
 
 from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
-from drill_rig_sim.msg import MudPumpCommand, SteeringCommand, TopDriveCommand, WinchCommand
+from drill_rig_sim.msg import MudPumpCommand, RigState, SteeringCommand, TopDriveCommand, WinchCommand
 from drill_rig_sim.srv import InjectFaultRequest, StepSimulationRequest
 from rig_test import PATIENCE, Rig, flow, run, rospy, time, turn, unittest, wait_until, winch
 
@@ -45,6 +45,19 @@ class Commands(unittest.TestCase):
         found = status(diagnostics.messages)
         self.assertIsNotNone(found, "never: " + said)
         return found
+
+    def test_a_refusal_is_counted_and_explained_at_once(self):
+        before = self.rig.advance(1)
+        states, diagnostics = self.rig.collect("rig_state", RigState), self.rig.collect("/diagnostics", DiagnosticArray)
+        sent = time.monotonic()
+        self.rig.publisher("winch/command", WinchCommand).publish(winch(math.nan))
+        told = states.wait_until(lambda m: any(s.commands_refused > before.commands_refused for s in m))[-1]  # time stands all the while
+        self.assertEqual((before.header.stamp, before.commands_refused + 1), (told.header.stamp, told.commands_refused))
+        self.assertEqual("block_velocity: must be finite", told.last_refusal)
+        found = diagnostics.wait_until(lambda m: any("block_velocity: must be finite" in s.message for a in m for s in a.status))
+        self.assertTrue(any("block_velocity: must be finite" in s.message for a in found for s in a.status))
+        self.assertLess(time.monotonic() - sent, PATIENCE)
+        self.assertEqual(told.commands_refused, self.rig.advance(1).commands_refused)
 
     def test_every_kind_of_command_takes_effect_from_its_topic(self):
         winches = self.rig.publisher("winch/command", WinchCommand)

@@ -33,17 +33,21 @@ class Faults(unittest.TestCase):
 
     def test_each_begins_and_ends(self):
         self.assertEqual(set(ALL), {v for k, v in vars(Fault).items() if k.isupper() and isinstance(v, int)})
+        words = {number: name.lower() for name, number in vars(Fault).items() if name.isupper() and isinstance(number, int)}
         for kind, needs in ALL.items():
+            word = words[kind] + (" of " + needs["target"] if "target" in needs else "")
             for clear in (False, True):
                 answer = self.rig.inject_fault(Fault(fault=kind, clear=clear, **needs))
                 self.assertTrue(answer.success, answer.message)
                 self.assertTrue(answer.message)
                 self.assertNotIn("\n", answer.message)
-                self.rig.advance(20)
+                self.assertEqual([] if clear else [word], self.rig.advance_truth(20).active_faults)
 
     def test_what_makes_no_sense_is_refused_and_changes_nothing(self):
         refused = [(Fault(fault=200), "fault is 200")]
-        refused += [(Fault(fault=kind, target=target, magnitude=1.0), "target") for kind in GAUGED for target in ("", "wob", "hook load")]
+        refused += [(Fault(fault=kind, **{**needs, field: value}), field + " has no effect on") for kind, needs in ALL.items()
+                    for field, value in (("depth", 60.0), ("magnitude", 1.0), ("target", "flow")) if field not in needs]
+        refused += [(Fault(fault=kind, **{**ALL[kind], "target": target}), "target") for kind in GAUGED for target in ("", "wob", "hook load")]
         refused += [(Fault(fault=kind, **{**needs, "magnitude": wrong}), "magnitude") for kind, needs in ALL.items() if "magnitude" in needs
                     for wrong in (math.nan, math.inf, -math.inf, 1e15)]
         refused += [(Fault(fault=kind, **{**ALL[kind], "depth": nowhere}), "depth") for kind in ALL if "depth" in ALL[kind]

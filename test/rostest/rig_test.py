@@ -187,11 +187,11 @@ def flow(rate):
 
 
 def numbers(message):
-    """All of a RigState but its stamps and epoch, as a tuple that compares bit by bit."""
+    """All of a RigState but its stamps, epoch and count of refusals, as a tuple that compares bit by bit."""
     def flat(value):
         if hasattr(value, "__slots__"):
             for name in value.__slots__:
-                if name not in ("header", "last_command", "epoch"):
+                if name not in ("header", "last_command", "epoch", "commands_refused", "last_refusal"):
                     yield from flat(getattr(value, name))
         elif isinstance(value, (list, tuple)):
             for item in value:

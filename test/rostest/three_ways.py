@@ -14,7 +14,7 @@ from rig_test import PATIENCE, Rig as Client, publishers_know, run, unittest, wa
 SCENE = "autodriller.yaml"  # hook load noisy and late
 SECONDS = 70.0              # it spins up, zeroes its weight, tags and drills
 PERIOD = 10                 # frames
-OTHERWISE = ("header", "run_state", "last_command", "epoch")  # stamps and node, and what happened to it before
+OTHERWISE = ("header", "run_state", "last_command", "epoch", "commands_refused", "last_refusal")  # stamps and node, and what happened to it before
 
 
 def law():

@@ -63,7 +63,7 @@ class InThisProcess(unittest.TestCase):
         from drill_rig_sim.msg import BitTruth, RigState, RigTruth, TopDriveCommand
         state = self.drilling()
         for signals, kind in ((state.readings, RigState), (state.truth, RigTruth), (state.bit, BitTruth), (state.top_drive, TopDriveCommand)):
-            for name in fields_of(kind):
+            for name in set(fields_of(kind)) - {"commands_refused", "last_refusal"}:  # here a refusal is an exception
                 self.assertTrue(hasattr(signals, name), name)
         self.assertEqual({name: getattr(TopDriveCommand, name) for name in MODES}, MODES)
         self.assertIs(True, state.truth.on_bottom)
@@ -258,6 +258,34 @@ class InThisProcess(unittest.TestCase):
         rss = Simulator(STEERABLE)
         rss.steer(1.0, 0.5)
         self.assertEqual((1.0, 0.5), (rss.step().truth.steering.toolface, rss.state.truth.steering.ratio))
+
+    def test_faults_are_listed_and_fields_that_do_not_apply_refused(self):
+        self.assertEqual([], self.rig.active_faults)
+        self.rig.fault("SENSOR_BIAS", target="flow", magnitude=1e-3)
+        self.rig.fault("PUMP_TRIP")
+        self.assertEqual(["sensor_bias of flow", "pump_trip"], self.rig.active_faults)
+        self.assertEqual(["sensor_bias of flow", "pump_trip"], self.rig.step().truth.active_faults)
+        self.rig.clear_fault("PUMP_TRIP", depth=3.0)
+        for fields, field in (({"depth": 3.0}, "depth"), ({"magnitude": 3.0}, "magnitude"), ({"target": "flow"}, "target")):
+            with self.assertRaisesRegex(Refused, field + " has no effect on drive_trip"):
+                self.rig.fault("DRIVE_TRIP", **fields)
+        self.assertEqual(["sensor_bias of flow"], self.rig.active_faults)
+
+    def test_all_telemetry_comes_up(self):
+        with tempfile.TemporaryDirectory() as folder:
+            scene = os.path.join(folder, "scene.yaml")
+            with open(os.path.join(PACKAGE_DIR, "config/scenes/bohai.yaml")) as source, open(scene, "w") as target:
+                text = source.read().replace("../surveys", os.path.join(PACKAGE_DIR, "config/surveys"))
+                self.assertIn("  mwd: {", text)
+                target.write(text.replace("  mwd: {", "  dynamics: {period: 5.0, latency: 1.0}\n  mwd: {inclination_period: 6.0, "))
+            rig = Simulator(scene)
+        self.assertEqual((None, None), (rig.inclination, rig.dynamics))
+        rig.pump(0.03)
+        rig.step(30.0)
+        self.assertAlmostEqual(rig.survey.inclination, rig.inclination.inclination, delta=0.02)
+        self.assertGreater(rig.inclination.t, 6.0)
+        self.assertAlmostEqual(5.0, rig.dynamics.duration, delta=0.02)
+        self.assertGreater(rig.dynamics.md, 0.0)
 
     def test_telemetry_is_the_same_until_another_comes(self):
         rig = Simulator(os.path.join(PACKAGE_DIR, "config/scenes/bohai.yaml"))

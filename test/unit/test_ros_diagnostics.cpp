@@ -107,6 +107,7 @@ TEST_F(Report, eachNumberIsItsOwn)
   frame_.loop.frame_times.add(24'500'000, 24'500'001);
   frame_.loop.lateness.add(500'000, 400'000);
   frame_.last_clamp = "a clamp";
+  frame_.faults.of_rig = 1u << static_cast<int>(FaultKind::pump_trip);
   const auto array = next();
   const std::map<std::string, double> expected = {{"simulated_time", 123.5}, {"speed", 2.5}, {"overruns", 22}, {"dropped_seconds", 0.75},
       {"unpublished_frames", 23}, {"longest_frame_ms", 24.5}, {"longest_lateness_ms", 0.5}, {"pictures_left_out", 25},
@@ -119,7 +120,7 @@ TEST_F(Report, eachNumberIsItsOwn)
   for (const auto& [key, value] : expected) EXPECT_DOUBLE_EQ(value, number(array, key)) << key;
   const std::map<std::string, std::string> words = {{"state", "running"}, {"level", "beam3d"}, {"integrator", "auto_one"}, {"kernel", "sse4"},
       {"last_refusal", "a refusal"}, {"last_clamp", "a clamp"}, {"measured_errors", ""}, {"companion", ""},
-      {"why_not_measured", "no frame has been compared yet"}};
+      {"why_not_measured", "no frame has been compared yet"}, {"reason_code", ""}, {"active_faults", "pump_trip"}};
   for (const auto& [key, value] : words) EXPECT_EQ(value, values(array).at(key)) << key;
   EXPECT_EQ(expected.size() + words.size() + 2, values(array).size()) << "and two histograms; a real-time factor needs half a second";
 }

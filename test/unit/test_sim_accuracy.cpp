@@ -107,4 +107,18 @@ TEST(Accuracy, saysWhereWhatAndWhatHelps)
   EXPECT_EQ(text_of({AccuracyDoubt::slant, 12.0 * degree, 0.0, 0.0}),
             "the hole is inclined by 12 deg at the rotary table, but the rig is upright: hook load and torque include a bend there; use a well.survey that begins vertical");
 }
+// Programs of users compare them: none changes.
+TEST(Accuracy, reasonsHaveCodesThatStay)
+{
+  EXPECT_STREQ(code_of(AccuracyDoubt::none), "");
+  EXPECT_STREQ(code_of(AccuracyDoubt::measured), "measured_error");
+  EXPECT_STREQ(code_of(AccuracyDoubt::confined), "guided_pipe_buckles");
+  EXPECT_STREQ(code_of(AccuracyDoubt::compression), "element_compression");
+  EXPECT_STREQ(code_of(AccuracyDoubt::twist), "element_twist");
+  EXPECT_STREQ(code_of(AccuracyDoubt::embedding), "soft_wall");
+  EXPECT_STREQ(code_of(AccuracyDoubt::slant), "slanted_start");
+  EXPECT_STREQ(code_of(AccuracyDoubt::level), "level");
+  EXPECT_STREQ(code_of(AccuracyDoubt::turn), "turn_of_hole");
+}
+
 }  // namespace test_sim_accuracy

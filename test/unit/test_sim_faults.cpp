@@ -178,4 +178,43 @@ TEST(Fault, livesInASnapshot)
       play(rig, 1.0);
     }
 }
+TEST(Fault, isListedWhileItIsUnderWay)
+{
+  Simulator rig(motor_drilling_scene(5.0));
+  EXPECT_TRUE(words_of(rig.active_faults()).empty());
+  for (int k = 0; k < fault_count; ++k)
+  {
+    const FaultTraits& traits = fault_traits[k];
+    Fault fault{static_cast<FaultKind>(k), traits.place == FaultPlace::nowhere ? 0.0 : 50.0, traits.magnitude.label ? 0.5 * std::min(1.0, traits.magnitude.most) : 0.0};
+    fault.gauge = Gauge::flow;
+    ASSERT_EQ(rig.inject(fault), nullptr) << traits.word;
+    const std::string word = std::string(traits.word) + (is_of_gauge(fault.kind) ? " of flow" : "");
+    EXPECT_EQ(words_of(rig.active_faults()), std::vector<std::string>{word});
+    rig.clear(fault.kind, Gauge::flow);
+    EXPECT_TRUE(words_of(rig.active_faults()).empty()) << word;
+  }
+}
+
+TEST(Fault, isRefusedWithWhatDoesNotApply)
+{
+  const auto why = [](FaultKind kind, const std::string& gauge, double depth, double magnitude) -> std::string
+  {
+    try
+    {
+      require_only_what_applies(kind, gauge, depth, magnitude);
+    }
+    catch (const std::runtime_error& error)
+    {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(why(FaultKind::drive_trip, "", 0.0, 0.0), "");
+  EXPECT_EQ(why(FaultKind::drive_trip, "", 50.0, 0.0), "depth has no effect on drive_trip; allowed is 0");
+  EXPECT_EQ(why(FaultKind::drive_trip, "", std::nan(""), 0.0), "depth has no effect on drive_trip; allowed is 0");
+  EXPECT_EQ(why(FaultKind::stuck_pipe, "", 50.0, 1.0), "magnitude has no effect on stuck_pipe; allowed is 0");
+  EXPECT_EQ(why(FaultKind::pack_off, "flow", 50.0, 1e4), "target has no effect on pack_off; allowed is an empty one");
+  EXPECT_EQ(why(FaultKind::sensor_bias, "flow", 0.0, 1e-3), "");
+}
+
 }  // namespace test_sim_faults

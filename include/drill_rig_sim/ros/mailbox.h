@@ -63,7 +63,7 @@ public:
   /// For the simulation thread: whether a command of each of these kinds, a sum of bit_of(), has come since the last time that this was so,
   /// stamped 0 or not before `stamp` [ns]: an older one answers an earlier state.
   bool answered(unsigned kinds, std::int64_t stamp) noexcept;
-  /// What the simulation thread waits on; with `for_commands` each command that is kept posts it too.
+  /// What the simulation thread waits on; a refused command posts it, with `for_commands` each one that is kept too.
   Semaphore& bell() noexcept { return bell_; }
   void ring_for_commands(bool for_commands) noexcept { rings_ = for_commands; }
 
@@ -77,7 +77,11 @@ private:
   template <class Setpoint>
   void keep(const Setpoint& c, TripleBuffer<Setpoint>& latest, CommandKind kind, const ros::Time& stamp) noexcept
   {
-    if (const char* wrong = what_is_wrong(c)) return refusals_.count(wrong);
+    if (const char* wrong = what_is_wrong(c))
+    {
+      refusals_.count(wrong);
+      return bell_.post();  // rig_state reports it while time stands too
+    }
     latest.write(c);
     come_[static_cast<std::size_t>(kind)] = stamp.isZero() ? unstamped : static_cast<std::int64_t>(stamp.toNSec());
     if (rings_) bell_.post();

@@ -24,7 +24,7 @@ namespace drill_rig_sim
 class PublishingThread
 {
 public:
-  /// `on_change` is called after a change of run state is known.
+  /// `on_change` is called after a change of run state or a refused command is known.
   PublishingThread(ros::NodeHandle& node, const Parameters& parameters, FrameRing& ring, Subscriptions& subscriptions,
                    std::function<void()> ask_for_picture, std::function<void()> on_change);
   ~PublishingThread();

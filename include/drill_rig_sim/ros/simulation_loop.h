@@ -203,6 +203,7 @@ private:
   bool tube_pending_ = false;       // the well has changed since markers showed it last
   Cadence state_cadence_, accuracy_cadence_, profile_cadence_, tf_cadence_, marker_cadence_, well_cadence_;
 
+  std::uint64_t refusals_said_ = 0;  // in rig_state
   std::atomic<std::int64_t> slowest_follower_{INT64_MAX};
   std::atomic<bool> halted_{false}, quit_{false}, asked_{false};
   std::mutex callers_;

@@ -1,7 +1,10 @@
 #ifndef DRILL_RIG_SIM_SCENE_FAULT_SPEC_H
 #define DRILL_RIG_SIM_SCENE_FAULT_SPEC_H
 
+#include <array>
+#include <cstdint>
 #include <string>
+#include <vector>
 
 #include "drill_rig_sim/math/shown_units.h"
 #include "drill_rig_sim/scene/instruments_spec.h"
@@ -92,6 +95,18 @@ constexpr bool has_magnitude(FaultKind kind) noexcept { return traits_of(kind).m
 
 /// The fault of this kind, and of the gauge that `gauge` names if it is of one. Throws std::runtime_error with one line where there is no such gauge.
 Fault fault_of(FaultKind kind, const std::string& gauge, double depth, double magnitude);
+
+/// Throws std::runtime_error with one line where a fault has a number or a gauge, as requested, that faults of this kind do not have.
+void require_only_what_applies(FaultKind kind, const std::string& gauge, double depth, double magnitude);
+
+/// Which faults are under way.
+struct ActiveFaults
+{
+  std::uint32_t of_rig = 0;                            ///< a bit for each FaultKind
+  std::array<std::uint32_t, gauge_count> of_gauges{};  ///< the same of each Gauge
+};
+/// By their words of the scene file, those of gauges as "sensor_bias of hook_load", in the order of the list.
+std::vector<std::string> words_of(const ActiveFaults& faults);
 
 /// Why a fault's magnitude makes no sense: one line, static storage; null: it does.
 const char* what_is_wrong_with_magnitude(const Fault& fault) noexcept;

@@ -47,6 +47,9 @@ struct AccuracyReport
   }
 };
 
+/// A short identifier of the reason, which stays the same in later versions; empty for none.
+const char* code_of(AccuracyDoubt doubt) noexcept;
+
 /// The warning in one line that names the remedy; empty where there is none. Allocates.
 std::string text_of(const AccuracyReport& report);
 

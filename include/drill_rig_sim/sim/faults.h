@@ -32,6 +32,9 @@ void free_pipe(State& state) noexcept;
 void begin(const Model& model, double bit_depth, const Fault& fault, State& state) noexcept;
 /// And ends; nothing happens where there is none.
 void end(FaultKind kind, State& state) noexcept;
+/// Those under way, a bit for each FaultKind: of the mechanics, of a gauge.
+std::uint32_t active_faults(const State& state) noexcept;
+std::uint32_t active_faults(const SensorFault& gauge) noexcept;
 /// The same of a gauge.
 void begin(const Fault& fault, SensorFault& gauge) noexcept;
 void end(FaultKind kind, SensorFault& gauge) noexcept;

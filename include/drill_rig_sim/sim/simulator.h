@@ -144,6 +144,8 @@ public:
   void free_pipe() noexcept override;
   const char* inject(const Fault& fault) noexcept override;
   void clear(FaultKind kind, Gauge gauge) noexcept override;
+  /// The faults under way, by inject() or the scene's program. One whose magnitude makes no difference (a factor of 1) is not listed.
+  ActiveFaults active_faults() const noexcept;
   bool set_free_length(double from_bit) noexcept override;
 
   const char* set_slips(bool set) noexcept override;
