@@ -107,7 +107,7 @@ TEST(SceneRheology, plasticViscosityDamps)
 TEST(SceneRheology, refusals)
 {
   const auto rheology = [](const std::string& inside) { return scene_text(", rheology: {" + inside + "}"); };
-  EXPECT_EQ(refusal(rheology("law: bingham, plastic_viscosity: 0.02")), "r.yaml:4: mud.rheology.yield_point: is missing: YP; 1 lb/100 ft2 is 0.479 Pa; or give readings");
+  EXPECT_EQ(refusal(rheology("law: bingham, plastic_viscosity: 0.02")), "r.yaml:4: mud.rheology.yield_point: is missing: yield point YP; 1 lb/100 ft2 is 0.479 Pa; or give readings");
   EXPECT_EQ(refusal(rheology("plastic_viscosity: 0.02")), "r.yaml:4: mud.rheology.law: is missing, allowed: newtonian, bingham, power_law or herschel_bulkley");
   EXPECT_EQ(refusal(rheology("law: bingham, plastic_viscosity: 0.02, yield_point: 5, readings: [[600, 60], [300, 40]]")),
             "r.yaml:4: mud.rheology.plastic_viscosity: is given together with readings, which define it, allowed: one of the two\n"
