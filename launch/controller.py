@@ -37,8 +37,7 @@ def planned():
 
 def in_lockstep(law, timeout):
     rig = Rig(rospy.get_namespace().rstrip("/"))
-    telemetry = topics.Telemetry() if getattr(law, "listens", True) else control.Deaf
-    states = control.drive(rig, law, timeout, telemetry)
+    states = control.drive(rig, law, timeout, telemetry=rig)
     run = run_of_states(states, rospy.get_param("~law"))
     if rospy.has_param("~csv"):
         write_series(run, rospy.get_param("~csv"))

@@ -57,7 +57,7 @@ void Instruments::read(const Truth& truth, const SensorView& view, Readings& rea
   static_cast<RigSignals&>(readings) = truth;
   read_gauges(truth, pump_noise_ > 0.0 ? pulsation_of(pump_noise_, view.pump_strokes) : 0.0, readings);
   hook_load_mean_.take(readings.hook_load, readings.time);
-  zero_mean_.take(readings.hook_load, readings);
+  zero_mean_.take(readings.hook_load, readings, truth.on_bottom);
   work_out_weights(readings);
   if (view.in_slips) tally_ += readings.block_height;
   work_out_depths(readings);
@@ -104,9 +104,21 @@ void Instruments::work_out_depths(Readings& readings) noexcept
 
 void Instruments::tare(Readings& readings) noexcept
 {
+  set_zero(zero_mean_.mean(), readings.stand_pipe_pressure, readings);
+}
+
+Zero Instruments::tare_over(double duration, Readings& readings) noexcept
+{
+  const Zero zero = zero_mean_.window().over(duration);
+  set_zero(zero.hook_load, zero.stand_pipe_pressure, readings);
+  return zero;
+}
+
+void Instruments::set_zero(double hook_load, double pressure, Readings& readings) noexcept
+{
   tared_ = true;
-  tare_hook_load_ = zero_mean_.mean();
-  tare_pressure_ = readings.stand_pipe_pressure;
+  tare_hook_load_ = hook_load;
+  tare_pressure_ = pressure;
   work_out_weights(readings);
 }
 

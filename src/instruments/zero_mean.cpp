@@ -50,16 +50,20 @@ void ZeroMean::rings_with(double period) noexcept
   if (!heaves_) mean_.set_period(period * std::ceil(shortest_mean / period));
 }
 
-void ZeroMean::take(double hook_load, const RigSignals& now) noexcept
+void ZeroMean::take(double hook_load, const RigSignals& now, bool on_bottom) noexcept
 {
   const int direction = direction_of(now.setpoints.winch);
   const bool turns = std::abs(now.top_drive_speed) > standing_rotor;
   if (direction != direction_) began_at_ = now.block_height;
   const bool builds_up = direction != 0 && std::abs(now.block_height - began_at_) < 2.0 * sheave_presliding;
-  if (!heaves_ && (direction != direction_ || turns != turns_ || builds_up)) mean_.restart();
+  const bool acts_another_way = !heaves_ && (direction != direction_ || turns != turns_ || builds_up);
+  if (acts_another_way) mean_.restart();
+  if (acts_another_way || on_bottom || now.in_slips || now.setpoints.pump.flow != flow_) window_.restart();
   direction_ = direction;
   turns_ = turns;
+  flow_ = now.setpoints.pump.flow;
   mean_.take(hook_load, now.time);
+  window_.take(hook_load, now.stand_pipe_pressure, now.time);
 }
 
 }  // namespace drill_rig_sim

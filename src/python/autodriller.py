@@ -14,7 +14,7 @@ class Autodriller:
     string and lines [N/m]; those of pressure and torque follow by what a newton on the bit makes of them: pressure_per_weight, torque_per_weight.
     `rop`: largest feed [m/s]. `stall_pressure`: differential, by which a stalled motor is known [Pa]. `tag_speed` [m/s]: the rock has to withstand it.
     `hook_load_gain`: what the gauge makes of a newton on the hook while the block goes down: a dead line's sheaves rub."""
-    period, listens = 0.1, False             # [s]; to telemetry
+    period = 0.1                             # [s]
     lift_speed, return_speed = 0.15, 0.05    # of the block [m/s]
     tag_weight, weight_ramp = 5e3, 2e3       # [N], [N/s]
     slew = 0.03                              # of the feed: a jerk would ring in string and lines [m/s2]

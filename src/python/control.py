@@ -52,10 +52,6 @@ class Deaf:
     """In the place of telemetry, for a law that needs none."""
     toolface = survey = inclination = dynamics = None
 
-    @staticmethod
-    def listen(now, period):
-        """Before each step of a law: the rig's time and the law's period [s]."""
-
 
 class Ordered:
     """A law whose operator changes his mind: rows of time since its first step [s], set point and value, of law.set_points."""
@@ -121,14 +117,13 @@ def frames_of(period, rate):
 
 def driven(rig, law, timeout, telemetry=Deaf):
     """Lockstep: steps the rig under the law until that is done, or for `timeout` simulated seconds; yields the state after each of its periods.
-    `telemetry`: of drill_rig_sim.topics beside a node; a simulator in this process is its own. Where the rig begins a new run meanwhile (NewRuns), so does the law."""
+    `telemetry`: the rig itself, for a law that reads toolface, surveys or dynamics. Where the rig begins a new run meanwhile (NewRuns), so does the law."""
     every, refused, runs = frames_of(law.period, rig.rate), "", NewRuns(law)
     for _ in range(int(timeout * rig.rate / every)):
         if law.done:
             break
         if runs.begins(rig.state.t, rig.state.readings.epoch):
             refused = ""
-        telemetry.listen(rig.state.t, law.period)
         refused = hand_over(rig, asked(law, Readings(rig.state.t, rig.state.readings, telemetry, refused)))
         yield rig.step(frames=every)
 

@@ -280,6 +280,13 @@ void InProcessRig::tare()
   ask_tare(*simulator_);
 }
 
+Zero InProcessRig::tare_over(double duration)
+{
+  const Turn turn(*this);
+  require_good();
+  return ask_tare_over(*simulator_, duration);
+}
+
 void InProcessRig::fault(const std::string& name, bool clear, const std::string& target, double depth, double magnitude)
 {
   const Turn turn(*this);

@@ -206,6 +206,7 @@ public:
   void reset(const std::string& file, double bit_depth);
   void load_survey(const NewWell& well);
   void tare();
+  Zero tare_over(double duration);
   void fault(const std::string& name, bool clear, const std::string& target, double depth, double magnitude);
   void slips(bool are_set);
   void connection(std::uint32_t joints, bool remove);

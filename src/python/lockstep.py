@@ -1,6 +1,8 @@
 """A rig that is stepped: the same for the node in lockstep (drill_rig_sim.rig) and for a simulator in this process (drill_rig_sim.sim). No ROS."""
+import collections
 import math
 import operator
+import types
 
 import numpy
 from drill_rig_sim.tables import SIGNALS, TOP_DRIVE_MODES
@@ -44,6 +46,21 @@ class State:
         if not hasattr(self.readings, name) and hasattr(self.truth, name):
             raise AttributeError("%s: is not a reading; use truth.%s" % (name, name))
         return getattr(self.readings, name)
+
+
+Zero = collections.namedtuple("Zero", "duration hook_load hook_load_deviation stand_pipe_pressure stand_pipe_pressure_deviation")
+Zero.__doc__ = """What tare_over() has zeroed: means over `duration` [s] of the readings of hook load [N] and pressure [Pa], and their standard deviations."""
+
+
+def zero_of(answer):
+    """The Zero of an object with its fields."""
+    return Zero(*(getattr(answer, name) for name in Zero._fields))
+
+
+def arrived(message):
+    """A message of telemetry, its stamp as the time `t` of measurement [s]."""
+    fields = {name: getattr(message, name) for name in message.__slots__ if name != "header"}
+    return types.SimpleNamespace(t=message.header.stamp.to_sec(), **fields)
 
 
 def series(states, name):

@@ -13,10 +13,10 @@ import time
 
 import rosgraph
 import rospy
-from drill_rig_sim.lockstep import RPM, UNSENSED, Lockstep, Refused, State, TimedOut, series  # pylint: disable=unused-import
+from drill_rig_sim.lockstep import RPM, UNSENSED, Lockstep, Refused, State, TimedOut, arrived, series, zero_of  # pylint: disable=unused-import
 from drill_rig_sim.msg import MudPumpCommand, SteeringCommand, TopDriveCommand, WinchCommand
 from drill_rig_sim.srv import (InjectFault, InjectFaultRequest, LoadSurvey, MakeConnection, ResetWell, RestoreState, SaveState, StepSimulation,
-                               StepSimulationRequest)
+                               StepSimulationRequest, TareOver)
 from std_srvs.srv import SetBool, Trigger
 
 COMMANDS = {"winch": WinchCommand, "top_drive": TopDriveCommand, "mud_pump": MudPumpCommand, "steering": SteeringCommand}
@@ -46,8 +46,31 @@ class Rig(Lockstep):
         wait_for_service(self._prefix + "/step", patience)
         self._step = rospy.ServiceProxy(self._prefix + "/step", StepSimulation, persistent=True)
         self._request = StepSimulationRequest()
+        self._telemetry = {"toolface": None, "survey": None, "inclination": None, "dynamics": None}
         self.rate = frames_per_second(self._prefix + "/step")
         self._look()
+
+    # --- what downhole tools sent up, for drill_rig_sim.control.drive(rig, law, timeout, telemetry=rig)
+
+    @property
+    def toolface(self):
+        """The last that came up, fields of MwdToolface and the time `t` of measurement [s]; None before."""
+        return self._telemetry["toolface"]
+
+    @property
+    def survey(self):
+        """The last that came up, fields of MwdSurvey and the time `t` of measurement [s]; None before."""
+        return self._telemetry["survey"]
+
+    @property
+    def inclination(self):
+        """The last between surveys that came up, fields of MwdInclination and the time `t` of measurement [s]; None before."""
+        return self._telemetry["inclination"]
+
+    @property
+    def dynamics(self):
+        """The last of the tool of dynamics that came up, fields of DownholeDynamics and the time `t` of its interval's end [s]; None before."""
+        return self._telemetry["dynamics"]
 
     # --- services
 
@@ -78,6 +101,12 @@ class Rig(Lockstep):
         """Zeroes surface WOB and differential pressure, off bottom; the state then."""
         self._call("tare", Trigger)
         return self._look()
+
+    def tare_over(self, duration):
+        """The same at their means over the last `duration` seconds, 0.5 to 60; what was zeroed, a Zero."""
+        zero = zero_of(self._call("tare_over", TareOver, duration=duration))
+        self._look()
+        return zero
 
     def save(self, name="", file=""):
         """A snapshot, by name in memory or in a file."""
@@ -116,7 +145,15 @@ class Rig(Lockstep):
 
     def _asked(self, request):
         answer = self._served("step", lambda: self._step.call(request))
+        for name in self._telemetry:
+            self._take(name, getattr(answer, name))
         return State(answer.state.header.stamp.to_sec(), answer.state, answer.truth, answer.bit)
+
+    def _take(self, name, messages):
+        """The last of a kind of telemetry, none or one: the same object until another has come."""
+        last, now = self._telemetry[name], arrived(messages[0]) if messages else None
+        if now is None or last is None or now != last:
+            self._telemetry[name] = now
 
     def _rebuilt(self, service, kind, **fields):
         self._call(service, kind, **fields)
@@ -124,7 +161,7 @@ class Rig(Lockstep):
         return self._look()
 
     def _call(self, service, kind, **fields):
-        self._served(service, lambda: rospy.ServiceProxy(self._prefix + "/" + service, kind)(**fields))
+        return self._served(service, lambda: rospy.ServiceProxy(self._prefix + "/" + service, kind)(**fields))
 
     def _served(self, service, ask):
         """The answer that `ask` gets from a service."""

@@ -21,7 +21,7 @@ def downlink(direction, tenths):
 class RssSteering(Steering):
     """`plan`: a drill_rig_sim.survey.Survey. `tool_rate`: of the hole at full steering [deg/30 m]. `bit_time`: of a downlink [s]. `driller`: settings
     of the autodriller."""
-    period, listens = 0.1, True
+    period = 0.1
     low = 0.7                       # share of the flow that says 1
     turn_within, back_within = 6.0, 10.0  # back to the plan's direction, and to its place [m]
     apart, settling = 3.0, 15.0     # between downlinks [m]; after one, until the hook load is right again [s]

@@ -15,7 +15,7 @@ import typing
 
 import numpy
 from drill_rig_sim import _sim
-from drill_rig_sim.lockstep import RPM, UNSENSED, Failed, Lockstep, Refused, State, TimedOut, series  # pylint: disable=unused-import
+from drill_rig_sim.lockstep import RPM, UNSENSED, Failed, Lockstep, Refused, State, TimedOut, series, zero_of  # pylint: disable=unused-import
 from drill_rig_sim.text_file import report
 
 COMMANDS = {"winch": _sim.Winch, "top_drive": _sim.TopDrive, "mud_pump": _sim.MudPump, "steering": _sim.Steering}
@@ -169,9 +169,6 @@ class Simulator(Lockstep):
         """The last of the tool of dynamics that came up (instruments.dynamics), fields of DownholeDynamics and the time `t` of its interval's end [s]; None before."""
         return self._last("dynamics", self._rig.dynamics())
 
-    def listen(self, now, period):
-        """Nothing is on its way here: see Telemetry of drill_rig_sim.topics."""
-
     # --- time
 
     def record(self, seconds, every=1):
@@ -211,6 +208,12 @@ class Simulator(Lockstep):
         """Zeroes surface WOB and differential pressure, off bottom; the state then."""
         self._rig.tare()
         return self._look()
+
+    def tare_over(self, duration):
+        """The same at their means over the last `duration` seconds, 0.5 to 60; what was zeroed, a Zero."""
+        zero = zero_of(self._rig.tare_over(duration))
+        self._look()
+        return zero
 
     def save(self, name):
         """A snapshot in memory. (Files are the node's to write.)"""

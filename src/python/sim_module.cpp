@@ -337,6 +337,12 @@ PYBIND11_MODULE(_sim, module)
   bind_setpoints(module);
   bind_frames(module);
   bind_telemetry(module);
+  py::class_<Zero>(module, "Zero")  // NOLINT(bugprone-unused-raii): it registers the class
+      .def_readonly("duration", &Zero::duration)
+      .def_readonly("hook_load", &Zero::hook_load)
+      .def_readonly("hook_load_deviation", &Zero::hook_load_deviation)
+      .def_readonly("stand_pipe_pressure", &Zero::stand_pipe_pressure)
+      .def_readonly("stand_pipe_pressure_deviation", &Zero::stand_pipe_pressure_deviation);
   py::class_<SavedRig>(module, "Saved");  // NOLINT(bugprone-unused-raii): it registers the class
   py::class_<Recorder>(module, "Recorder").def(py::init<>()).def("record", &Recorder::record).def("arrays", &Recorder::arrays);
   using no_gil = py::call_guard<py::gil_scoped_release>;
@@ -370,6 +376,7 @@ PYBIND11_MODULE(_sim, module)
       .def("reset", &InProcessRig::reset, no_gil())
       .def("load_survey", &load_survey)
       .def("tare", &InProcessRig::tare)
+      .def("tare_over", &InProcessRig::tare_over)
       .def("fault", &InProcessRig::fault)
       .def("slips", &InProcessRig::slips)
       .def("connection", &InProcessRig::connection)

@@ -12,7 +12,7 @@ from drill_rig_sim.law import Lag, Steering, bend, turn_between
 class SlideSteering(Steering):
     """`plan`: a drill_rig_sim.survey.Survey. `build_rate`: of a slide [deg/30 m]. `twist`: of the string by the bit's torque, by its differential pressure
     [deg/Pa]. `rocking`: of the string while it is brought to its toolface, off bottom [turns]. `driller`: settings of the autodriller."""
-    period, listens = 0.1, True
+    period = 0.1
     ahead, behind = math.radians(0.3), math.radians(0.3)  # of the plan, where a slide ends and begins
     settling = 8.0                      # so old has a drive's angle to be for a toolface to speak of it [s]
     on_target = math.radians(5.0)       # off bottom, before the slide

@@ -12,7 +12,7 @@ from drill_rig_sim.law import RPM, Commands
 class StickSlip:
     """`remedies`: modes of the top drive ("SOFT_TORQUE", "Z_TORQUE"), "rpm" (faster, step by step to most_rpm) and "weight" (less, step by step), in the
     order of trial. `torsion_period`: of the string's slowest torsion [s]. `stiffness`: of string and lines [N/m]."""
-    period, listens = 0.1, False
+    period = 0.1
     swing_limit, calm_limit = 0.2, 0.1      # amplitude of the torque's swings over its mean: stick-slip, and its end
     patience, calm_time = 6.0, 12.0         # what a remedy is given, and so long it has to be calm [torsion periods]
     rpm_step, weight_step, lift_speed = 15.0, 10e3, 2e-3  # [rpm], [N], of the block [m/s]

@@ -1,16 +1,13 @@
 """Control laws by topics (drill_rig_sim.control says what a law is): what a controller of a real rig would do."""
 import time
-import types
 
 import rospy
 from drill_rig_sim.control import NewRuns, Readings, asked, pipe_work
-from drill_rig_sim.lockstep import MODES, Refused
+from drill_rig_sim.lockstep import MODES, Refused, arrived
 from drill_rig_sim.msg import DownholeDynamics, MudPumpCommand, MwdInclination, MwdSurvey, MwdToolface, RigState, SteeringCommand, TopDriveCommand, WinchCommand
 from drill_rig_sim.rig import COMMANDS, answered
 from drill_rig_sim.srv import MakeConnection
 from std_srvs.srv import SetBool
-
-PATIENCE = 0.004  # wall time that telemetry may take to come from the rig's node, beside the answers of its steps: once a second [s]
 
 
 class Telemetry:
@@ -29,17 +26,6 @@ class Telemetry:
             last = getattr(self, name)
             if last is not None and last.t > now:
                 setattr(self, name, None)
-
-    @staticmethod
-    def listen(now, period):
-        """Lockstep, before each step of a law: leaves what is on its way the time to arrive."""
-        if int(now) > int(now - period):
-            time.sleep(PATIENCE)
-
-
-def arrived(message):
-    fields = {name: getattr(message, name) for name in message.__slots__ if name != "header"}
-    return types.SimpleNamespace(t=message.header.stamp.to_sec(), **fields)
 
 
 def messages_of(commands):

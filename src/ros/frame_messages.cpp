@@ -165,6 +165,18 @@ nav_msgs::Path to_path(const FrameOutput& s, const std::string& floor)
   return path;
 }
 
+void tell(const FrameRecord& frame, const std::string& floor, StepSimulation::Response& answer)
+{
+  const Readings& r = frame.readings;
+  answer.state = to_rig_state(r, frame, floor);
+  answer.truth = to_rig_truth(frame.truth, frame, floor);
+  answer.bit = to_bit_truth(frame, floor);
+  if (r.toolface.sequence > 0) answer.toolface = {to_mwd_toolface(frame, floor)};
+  if (r.mwd.sequence > 0) answer.survey = {to_mwd_survey(frame, floor)};
+  if (r.inclination.sequence > 0) answer.inclination = {to_mwd_inclination(frame, floor)};
+  if (r.dynamics.sequence > 0) answer.dynamics = {to_downhole_dynamics(frame, floor)};
+}
+
 geometry_msgs::TransformStamped to_rig_pose(const std::array<double, 6>& pose, const std::string& floor)
 {
   geometry_msgs::TransformStamped t;

@@ -70,6 +70,7 @@ Services::Services(ros::NodeHandle& node, const Parameters& parameters, Scene sc
   serve<Trigger>(node, "pause", [this](const auto&, auto&, Lock&) { return pause(); });
   serve<Trigger>(node, "resume", [this](const auto&, auto&, Lock&) { return resume(); });
   serve<Trigger>(node, "tare", [this](const auto&, auto&, Lock&) { return tare(); });
+  serve<TareOver>(node, "tare_over", [this](const auto& q, auto& r, Lock&) { return tare_over(q, r); });
   serve<SetSpeed>(node, "set_speed", [this](const auto& q, auto&, Lock&) { return set_speed(q.speed); });
   serve<SaveState>(node, "save_state", [this](const auto& q, auto&, Lock&) { return save_state(q); });
   serve<RestoreState>(node, "restore_state", [this](const auto& q, auto&, Lock&) { return restore_state(q); });
@@ -219,6 +220,24 @@ std::string Services::tare()
   return "weight on bit and differential pressure are zeroed";
 }
 
+std::string Services::tare_over(const TareOver::Request& request, TareOver::Response& response)
+{
+  Zero zero;
+  loop_.between_frames(
+      [&](SimulationLoop& loop)
+      {
+        require_good(loop.rig());
+        zero = ask_tare_over(*loop.rig().simulator, request.duration);
+        loop.hand_over_again();
+      });
+  response.duration = zero.duration;
+  response.hook_load = zero.hook_load;
+  response.hook_load_deviation = zero.hook_load_deviation;
+  response.stand_pipe_pressure = zero.stand_pipe_pressure;
+  response.stand_pipe_pressure_deviation = zero.stand_pipe_pressure_deviation;
+  return words_of(zero);
+}
+
 std::string Services::set_speed(double speed)
 {
   require_pausable();
@@ -332,9 +351,7 @@ std::string Services::step(const StepSimulation::Request& request, StepSimulatio
   const auto answer_last = [&]
   {
     FrameRecord last = publishing_.last();
-    answer.state = to_rig_state(last.readings, last, parameters_.floor());
-    answer.truth = to_rig_truth(last.truth, last, parameters_.floor());
-    answer.bit = to_bit_truth(last, parameters_.floor());
+    tell(last, parameters_.floor(), answer);
     return last;
   };
   answer_last();  // what is refused changes nothing

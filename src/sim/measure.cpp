@@ -51,7 +51,7 @@ void Simulator::Impl::measure_rig() noexcept
   m.tared = state.tared;
   m.surface_wob = state.tared && !m.in_slips ? state.tare_hook_load - m.hook_load : 0.0;
   m.setpoints = in_force();
-  state.zero_mean.take(m.hook_load, m);
+  state.zero_mean.take(m.hook_load, m, shown_forces().wob > 0.0);
   m.brake_set = m.setpoints.winch.brake;
   m.winch_limited = s.hoist.limited;
   m.slack_line = line_pull(hoisting, block_height(s), s.hoist.line_length).slack;

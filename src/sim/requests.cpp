@@ -1,6 +1,7 @@
 #include "drill_rig_sim/sim/requests.h"
 
 #include <cmath>
+#include <iomanip>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -18,6 +19,8 @@ void refuse_if(const char* reason)
 {
   if (reason) throw std::runtime_error(reason);
 }
+
+constexpr char not_hanging[] = "the bit is on bottom or the string in the slips; needed: bit off bottom, string on the hook";
 }  // namespace
 
 void check_rate(double rate, const Scene& scene)
@@ -35,7 +38,32 @@ void check_rate(double rate, const Scene& scene)
 
 void ask_tare(Simulator& simulator)
 {
-  if (!simulator.tare()) throw std::runtime_error("the bit is on bottom or the string in the slips; needed: bit off bottom, string on the hook");
+  if (!simulator.tare()) throw std::runtime_error(not_hanging);
+}
+
+Zero ask_tare_over(Simulator& simulator, double duration)
+{
+  std::ostringstream text;
+  if (!(duration >= ZeroWindow::shortest && duration <= ZeroWindow::longest))
+  {
+    text << "duration is " << duration << "; allowed is a number from " << ZeroWindow::shortest << " to " << ZeroWindow::longest << " [s]";
+    throw std::runtime_error(text.str());
+  }
+  Zero zero;
+  if (simulator.tare_over(duration, zero)) return zero;
+  if (simulator.truth().on_bottom || simulator.truth().in_slips) throw std::runtime_error(not_hanging);
+  text << std::fixed << std::setprecision(1) << "the string has hung or moved steadily for " << simulator.zero_held() << " s; needed: " << duration
+       << " s without a change of block motion, rotation or flow";
+  throw std::runtime_error(text.str());
+}
+
+std::string words_of(const Zero& zero)
+{
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(1) << "zeroed at means over " << zero.duration << " s: hook load " << 1e-3 * zero.hook_load
+       << " kN (standard deviation " << 1e-3 * zero.hook_load_deviation << "), stand-pipe pressure " << 1e-5 * zero.stand_pipe_pressure << " bar ("
+       << 1e-5 * zero.stand_pipe_pressure_deviation << ")";
+  return text.str();
 }
 
 void ask_fault(Simulator& simulator, const Fault& fault, bool clear)

@@ -288,41 +288,6 @@ const Scene& Simulator::scene() const noexcept
   return impl_->scene;
 }
 
-/// How the string as it is built rings: of zeros of the weight.
-void Simulator::Impl::note_ring()
-{
-  const HoistingSpec& hoisting = scene.rig.hoisting;
-  const double period = HungString(model->mesh(), hoisting, scene.start.block_height).ring_period(hoisting.block_mass);
-  state.zero_mean.rings_with(period);
-  state.instruments.rings_with(period);
-}
-
-bool Simulator::Impl::tare() noexcept
-{
-  if (state.truth.on_bottom || state.truth.in_slips) return false;
-  take_zero();
-  state.instruments.tare(state.readings);
-  lead([](Impl& companion)
-       {
-         companion.take_zero();
-         companion.state.instruments.tare(companion.state.readings);
-       });
-  return true;
-}
-
-void Simulator::Impl::take_zero() noexcept
-{
-  state.tared = true;
-  state.tare_hook_load = state.zero_mean.mean();
-  state.tare_pressure += state.truth.differential_pressure;
-  measure_rig();
-}
-
-bool Simulator::tare() noexcept
-{
-  return impl_->tare();
-}
-
 bool Simulator::set_free_length(double from_bit) noexcept
 {
   const NumericsSpec& numerics = impl_->scene.numerics;

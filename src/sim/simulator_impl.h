@@ -105,7 +105,8 @@ struct Simulator::Impl
   void begin_fault(const Fault& fault) noexcept;
   void end_fault(FaultKind kind) noexcept;
   bool tare() noexcept;
-  void take_zero() noexcept;
+  bool tare_over(double duration, Zero& zero) noexcept;
+  void take_zero(double hook_load) noexcept;
   bool restore(const SimulatorState& saved, bool keep_time);
   void collect_all() noexcept;
   void restore_companions(const SimulatorState& saved, bool keep_time);

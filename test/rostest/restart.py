@@ -5,22 +5,15 @@ import os
 import signal
 import socket
 import tempfile
-import xmlrpc.client
 
-import rosgraph
 from drill_rig_sim.msg import RigState, TopDriveCommand
 from drill_rig_sim.recorder import Recorder
 from drill_rig_sim.score_runs import read_run
-from rig_test import PATIENCE, Collector, rospy, run, time, unittest, wait_until
+from rig_test import PATIENCE, Collector, process_of, rospy, run, time, unittest, wait_until
 from rosgraph_msgs.msg import Log
 from std_srvs.srv import Trigger
 
 BEFORE = 5.0  # simulated, until the node is killed [s]
-
-
-def process_of(node):
-    address = rosgraph.Master(rospy.get_name()).lookupNode(node)
-    return xmlrpc.client.ServerProxy(address).getPid(rospy.get_name())[2]
 
 
 class Wits:

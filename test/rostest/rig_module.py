@@ -48,6 +48,33 @@ class RigModule(unittest.TestCase):
     def test_the_rate_is_the_nodes(self):
         self.assertEqual(100.0, self.rig.rate)
 
+    def test_a_zero_over_seconds_tells_mean_and_deviation(self):
+        with self.assertRaisesRegex(Refused, "needed: 10.0 s"):
+            self.rig.tare_over(10.0)
+        with self.assertRaisesRegex(Refused, "0.5 to 60"):
+            self.rig.tare_over(0.0)
+        loads = series(list(self.rig.frames(12.0)), "hook_load")[-1000:]
+        zero = self.rig.tare_over(10.0)
+        self.assertTrue(self.rig.state.tared)
+        self.assertAlmostEqual(10.0, zero.duration, delta=0.25)
+        self.assertAlmostEqual(loads.mean(), zero.hook_load, delta=0.1 * loads.std() + 1.0)
+        self.assertAlmostEqual(loads.std(), zero.hook_load_deviation, delta=0.1 * loads.std() + 1.0)
+        self.assertAlmostEqual(zero.hook_load, self.rig.state.hook_load + self.rig.state.surface_wob, delta=1e-3)
+
+    def test_a_step_answers_with_the_telemetry_that_came_up(self):
+        self.rig.reset(scene="bohai.yaml")
+        self.assertIsNone(self.rig.toolface)
+        self.rig.pump(0.03)
+        self.rig.step(40.0)
+        toolface, survey = self.rig.toolface, self.rig.survey
+        self.assertLess(0.0, survey.md)
+        self.rig.step()
+        self.assertIs(survey, self.rig.survey, "the same object until another has come")
+        self.rig.step(30.0)
+        self.assertLess(toolface.t, self.rig.toolface.t)
+        self.rig.reset(scene="quick.yaml")
+        self.assertIsNone(self.rig.survey)
+
     def test_set_points_wait_for_a_frame_and_act_from_it_on(self):
         self.rig.winch(-0.02)
         self.rig.pump(0.03)

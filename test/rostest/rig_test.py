@@ -12,13 +12,13 @@ import rospy
 import rostest
 from drill_rig_sim.msg import MudPumpCommand, RigState, TopDriveCommand, WinchCommand
 from drill_rig_sim.srv import (DeleteState, InjectFault, ListStates, LoadSurvey, MakeConnection, ResetWell, RestoreState,
-                               SaveState, SetSpeed, StepSimulation, StepSimulationRequest)
+                               SaveState, SetSpeed, StepSimulation, StepSimulationRequest, TareOver)
 from std_srvs.srv import SetBool, Trigger
 
 PACKAGE_DIR = os.path.dirname(os.path.dirname(os.path.dirname(os.path.realpath(__file__))))
 PATIENCE = 60.0  # wall seconds that anything may take on a loaded machine
 
-SERVICES = {"reset_well": ResetWell, "load_survey": LoadSurvey, "pause": Trigger, "resume": Trigger, "tare": Trigger,
+SERVICES = {"reset_well": ResetWell, "load_survey": LoadSurvey, "pause": Trigger, "resume": Trigger, "tare": Trigger, "tare_over": TareOver,
             "step": StepSimulation, "set_speed": SetSpeed, "save_state": SaveState, "restore_state": RestoreState,
             "list_states": ListStates, "delete_state": DeleteState, "set_slips": SetBool, "make_connection": MakeConnection, "inject_fault": InjectFault}
 
@@ -55,6 +55,11 @@ def publishers_know(topic):
         if not any(c[1] == me and c[2] == "o" and c[4] == topic for c in connections):
             return False
     return bool(nodes)
+
+
+def process_of(node):
+    """Its process id."""
+    return xmlrpc.client.ServerProxy(rosgraph.Master(rospy.get_name()).lookupNode(node)).getPid(rospy.get_name())[2]
 
 
 class Collector:
@@ -209,4 +214,4 @@ def run(case, follows_clock=True):
     rostest.rosrun("drill_rig_sim", name, case)
 
 
-__all__ = ["PACKAGE_DIR", "PATIENCE", "Collector", "Rig", "winch", "turn", "flow", "numbers", "run", "unittest", "rospy", "time", "wait_until"]
+__all__ = ["PACKAGE_DIR", "PATIENCE", "Collector", "Rig", "winch", "turn", "flow", "numbers", "process_of", "run", "unittest", "rospy", "time", "wait_until"]

@@ -105,8 +105,9 @@ class ThreeWays(unittest.TestCase):
         wait_until(lambda: abs(telemetry.toolface.t - begin - inside.toolface.t) < 1e-6, "the last toolface")
         wait_until(lambda: abs(telemetry.survey.t - begin - inside.survey.t) < 1e-6, "the last survey")
         self.assertEqual((telemetry.toolface.toolface, telemetry.toolface.reference), (inside.toolface.toolface, inside.toolface.reference))
-        self.assertEqual((telemetry.survey.md, telemetry.survey.inclination, telemetry.survey.azimuth),
-                         (inside.survey.md, inside.survey.inclination, inside.survey.azimuth))
+        for survey in (telemetry.survey, rig.survey):
+            self.assertEqual((survey.md, survey.inclination, survey.azimuth), (inside.survey.md, inside.survey.inclination, inside.survey.azimuth))
+        self.assertEqual((rig.toolface.toolface, rig.toolface.t), (telemetry.toolface.toolface, telemetry.toolface.t))
 
 
 if __name__ == "__main__":

@@ -218,11 +218,21 @@ class InThisProcess(unittest.TestCase):
                 text.write("md_m,inclination_deg,azimuth_deg\n0,0,0\n120,2,90\n")
             self.assertEqual(120.0, self.rig.load_survey(survey).truth.hole_depth)
 
+    def test_a_zero_over_seconds_is_of_the_readings_before(self):
+        states = list(self.rig.frames(12.0))[-1000:]
+        loads = numpy.array([state.hook_load for state in states])
+        zero = self.rig.tare_over(10.0)
+        self.assertAlmostEqual(loads.mean(), zero.hook_load, delta=0.1 * loads.std() + 1.0)
+        self.assertAlmostEqual(loads.std(), zero.hook_load_deviation, delta=0.1 * loads.std() + 1.0)
+        self.assertAlmostEqual(zero.hook_load, self.rig.state.hook_load + self.rig.state.surface_wob, delta=1e-3)
+        self.assertTrue(self.rig.state.tared)
+
     def test_what_is_refused_changes_nothing(self):
         self.drilling()
         state = self.rig.step()
         for text, call in {
-                "on bottom": self.rig.tare, "rotary_steerable": lambda: (self.rig.steer(0.0, 0.5), self.rig.step()),
+                "on bottom": self.rig.tare, "bit is on bottom": lambda: self.rig.tare_over(1.0), "0.5 to 60": lambda: self.rig.tare_over(0.0),
+                "rotary_steerable": lambda: (self.rig.steer(0.0, 0.5), self.rig.step()),
                 "pipe in the hole": lambda: self.rig.fault("STUCK_PIPE", depth=1e4), "hook_load, dead_line": lambda: self.rig.fault("SENSOR_BIAS", magnitude=1.0),
                 "fault is nonsense": lambda: self.rig.fault("NONSENSE"), "0 .a stand. to 12": lambda: self.rig.connection(13),
                 "there is no state x": lambda: self.rig.restore("x"), "frames is 100001": lambda: self.rig.step(frames=100001),

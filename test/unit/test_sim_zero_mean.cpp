@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "drill_rig_sim/instruments/zero_mean.h"
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/scene/scene_mesh.h"
+#include "drill_rig_sim/sim/requests.h"
 #include "drill_rig_sim/sim/simulator.h"
 #include "test_scenes.h"
 
@@ -156,6 +158,68 @@ TEST(ZeroMean, ofAFloatingRigGoesOverAPeriodOfTheWaves)
   EXPECT_NEAR(waves.mean, zero.mean(), 0.02 * waves.half);
 }
 
+// A sine of half-width A about a mean: standard deviation A / sqrt(2) over whole periods.
+TEST(ZeroWindow, hasMeanAndDeviationOfTheLastSeconds)
+{
+  ZeroWindow window;
+  const Ring before{1.0, 9e5, 0.0}, ring{1.0};
+  for (double time = 0.0; time < 100.0; time += frame) window.take((time < 80.0 ? before : ring).at(time), 1e7 + 1e5 * time, time);
+  EXPECT_NEAR(ZeroWindow::longest, window.held(), 0.3);
+  const Zero zero = window.over(10.0);
+  EXPECT_NEAR(10.0, zero.duration, 0.25 + 1e-9);
+  EXPECT_NEAR(ring.mean, zero.hook_load, 0.02 * ring.half);
+  EXPECT_NEAR(ring.half / std::sqrt(2.0), zero.hook_load_deviation, 0.02 * ring.half);
+  EXPECT_NEAR(1e7 + 1e5 * (100.0 - 0.5 * zero.duration), zero.stand_pipe_pressure, 2e3);
+  EXPECT_NEAR(1e5 * zero.duration / std::sqrt(12.0), zero.stand_pipe_pressure_deviation, 2e3) << "a ramp";
+  const Zero longer = window.over(40.0);
+  EXPECT_NEAR(0.5 * (ring.mean + before.mean), longer.hook_load, 3e3) << "half of it is from before";
+}
+
+// Readings are weighted by their time: frames of another length in between change nothing. Digits are not lost beside a large mean.
+TEST(ZeroWindow, goesByTimeAndNotByReadings)
+{
+  ZeroWindow window;
+  double time = 0.0;
+  for (; time < 5.0; time += 1e-3) window.take(1e9, 0.0, time);
+  for (; time < 10.0 + 1e-9; time += 0.1) window.take(1e9 + 2.0, 0.0, time);
+  const Zero zero = window.over(10.0 - 0.2);
+  EXPECT_NEAR(1e9 + 1.0, zero.hook_load, 0.1);
+  EXPECT_NEAR(1.0, zero.hook_load_deviation, 0.05);
+}
+
+TEST(ZeroWindow, forgetsWhatHungInAnotherWay)
+{
+  RigSignals up = lowered(0.0), pumped = lowered(0.0), in_slips = lowered(0.0);
+  up.setpoints.winch.block_velocity = 0.05;
+  pumped.setpoints.pump.flow = 0.03;
+  in_slips.in_slips = true;
+  for (const RigSignals& next : {up, pumped, in_slips})
+  {
+    ZeroMean zero(0.0);
+    zero.rings_with(1.0);
+    take(zero, Ring{1.0}, 0.0, 10.0);
+    EXPECT_GT(zero.window().held(), 9.0);
+    take(zero, Ring{1.0}, 10.0, 11.0, next);
+    EXPECT_LE(zero.window().held(), 1.0);
+  }
+  ZeroMean on_bottom(0.0);
+  take(on_bottom, Ring{1.0}, 0.0, 10.0);
+  RigSignals now = lowered(10.0);
+  now.block_height = -0.5;
+  on_bottom.take(5e5, now, true);
+  EXPECT_EQ(0.0, on_bottom.window().held());
+}
+
+TEST(ZeroWindow, goesOnWhereTimeIsShifted)
+{
+  ZeroWindow window;
+  for (int k = 0; k <= 500; ++k) window.take(5e5, 0.0, k * frame);
+  EXPECT_NEAR(5.0, window.held(), 1e-9);
+  window.shift_time(1000.0);
+  window.take(5e5, 0.0, 1005.0 + frame);
+  EXPECT_NEAR(5.0 + frame, window.held(), 1e-9);
+}
+
 // The block stops and the string rings: whenever the driller zeroes, it is the same zero.
 TEST(Tare, hitsTheMeanOfARingingHookLoad)
 {
@@ -179,6 +243,36 @@ TEST(Tare, hitsTheMeanOfARingingHookLoad)
   }
   EXPECT_GT(largest - least, 1e3) << "it rings";
   EXPECT_LT(largest_zero - least_zero, 0.2 * (largest - least));
+}
+
+TEST(Tare, overADurationAnswersMeanAndDeviation)
+{
+  Scene scene = vertical_scene(1000.0, 900.0);
+  scene.instruments.hook_load.place = HookLoadPlace::block;
+  scene.instruments.hook_load.noise = 2e3;
+  Simulator rig(scene);
+  double sum = 0.0, squares = 0.0;
+  for (int k = 0; k < 1200; ++k)
+  {
+    ASSERT_EQ(FrameStatus::running, rig.frame(frame));
+    if (k < 200) continue;
+    sum += rig.readings().hook_load;
+    squares += rig.readings().hook_load * rig.readings().hook_load;
+  }
+  const double mean = sum / 1000.0, deviation = std::sqrt(squares / 1000.0 - mean * mean);
+  EXPECT_THROW(ask_tare_over(rig, 0.1), std::runtime_error);
+  EXPECT_THROW(ask_tare_over(rig, 61.0), std::runtime_error);
+  EXPECT_THROW(ask_tare_over(rig, std::nan("")), std::runtime_error);
+  EXPECT_THROW(ask_tare_over(rig, 30.0), std::runtime_error) << "it hangs for 12 s";
+  EXPECT_FALSE(rig.readings().tared);
+  const Zero zero = ask_tare_over(rig, 10.0);
+  EXPECT_TRUE(rig.readings().tared);
+  EXPECT_NEAR(10.0, zero.duration, 0.25);
+  EXPECT_NEAR(mean, zero.hook_load, 20.0);
+  EXPECT_NEAR(deviation, zero.hook_load_deviation, 0.02 * deviation);
+  EXPECT_GT(deviation, 1.5e3) << "the noise";
+  EXPECT_NEAR(zero.hook_load, rig.readings().hook_load + rig.readings().surface_wob, 1e-6);
+  EXPECT_NE("", words_of(zero));
 }
 
 }  // namespace test_sim_zero_mean

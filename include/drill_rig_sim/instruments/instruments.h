@@ -70,6 +70,10 @@ public:
   void rings_with(double period) noexcept { zero_mean_.rings_with(period); }
   /// Zeroes surface WOB at the hook load's mean (ZeroMean), differential pressure at what the gauge shows.
   void tare(Readings& readings) noexcept;
+  /// Zeroes both at their means over the last `duration` [s] (ZeroWindow).
+  Zero tare_over(double duration, Readings& readings) noexcept;
+  /// How long hook load and pressure can be averaged over [s].
+  double zero_held() const noexcept { return zero_mean_.window().held(); }
   /// What is wrong with the gauge that a reading comes from: hook_load's is the dead line's where the scene reads it there.
   SensorFault& fault_of(Gauge gauge) noexcept { return source_of(gauge).fault; }
   /// Moves all they remember by `shift` [s].
@@ -99,6 +103,7 @@ private:
     return gauges_[static_cast<std::size_t>(dead_line ? Gauge::dead_line_hook_load : gauge)];
   }
   void read_gauges(const Truth& truth, double pulsation, Readings& readings) noexcept;
+  void set_zero(double hook_load, double pressure, Readings& readings) noexcept;
   void work_out_weights(Readings& readings) const noexcept;
   void work_out_depths(Readings& readings) noexcept;
 

@@ -3,6 +3,7 @@
 
 #include "drill_rig_sim/instruments/period_mean.h"
 #include "drill_rig_sim/instruments/signals.h"
+#include "drill_rig_sim/instruments/zero_window.h"
 #include "drill_rig_sim/rig/hoisting.h"
 #include "drill_rig_sim/string/mesh.h"
 
@@ -24,7 +25,8 @@ struct HungString
 /// The hook load of which a zero of the weight is taken: its mean over whole periods in which the string rings in the lines, at least shortest_mean; of a
 /// floating rig over a period of the waves. On a rig that does not heave the mean begins anew where the block starts, stops or turns back, and where the
 /// string starts or stops turning: friction acts another way then. A block that starts has to move by twice sheave_presliding first, over which the friction of
-/// its sheaves turns round.
+/// its sheaves turns round. A mean over a duration that is asked for begins anew there too, and where the pump's set point changes, and on bottom and in the
+/// slips.
 class ZeroMean
 {
 public:
@@ -36,11 +38,17 @@ public:
   /// The string rings with another period [s]: at the start, and where pipe was added or taken away.
   void rings_with(double period) noexcept;
   /// The hook load [N] with the other signals of its instant. The same instant may be given again.
-  void take(double hook_load, const RigSignals& now) noexcept;
+  void take(double hook_load, const RigSignals& now, bool on_bottom = false) noexcept;
   /// [N]
   double mean() const noexcept { return mean_.mean(); }
   /// Moves all it remembers by `shift` [s].
-  void shift_time(double shift) noexcept { mean_.shift_time(shift); }
+  void shift_time(double shift) noexcept
+  {
+    mean_.shift_time(shift);
+    window_.shift_time(shift);
+  }
+  /// What there is for a zero over a duration.
+  const ZeroWindow& window() const noexcept { return window_; }
 
   /// What it remembers; periods are the rig's.
   template <class V>
@@ -50,6 +58,8 @@ public:
     v("direction", direction_);
     v("turns", turns_);
     v("began_at", began_at_);
+    v("flow", flow_);
+    v("window", window_);
   }
 
 private:
@@ -57,6 +67,8 @@ private:
   PeriodMean mean_;
   int direction_ = 0;  // of the block: + up
   bool turns_ = false;
+  double flow_ = 0.0;  // set point [m3/s]
+  ZeroWindow window_;
   double began_at_ = 0.0;  // height of the block where it took its direction [m]
 };
 

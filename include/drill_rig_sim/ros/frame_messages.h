@@ -18,6 +18,7 @@
 #include "drill_rig_sim/MwdInclination.h"
 #include "drill_rig_sim/MwdSurvey.h"
 #include "drill_rig_sim/MwdToolface.h"
+#include "drill_rig_sim/StepSimulation.h"
 #include "drill_rig_sim/realtime/frame_output.h"
 
 /// The messages of a frame, as values: what the publishers send. `floor`: name of the frame `rig_floor`, prefix included.
@@ -37,6 +38,8 @@ MwdSurvey to_mwd_survey(const FrameRecord& frame, const std::string& floor);
 MwdToolface to_mwd_toolface(const FrameRecord& frame, const std::string& floor);
 MwdInclination to_mwd_inclination(const FrameRecord& frame, const std::string& floor);
 DownholeDynamics to_downhole_dynamics(const FrameRecord& frame, const std::string& floor);
+/// What a step's answer tells of the last frame: readings, truth, bit, and telemetry that has come up.
+void tell(const FrameRecord& frame, const std::string& floor, StepSimulation::Response& answer);
 
 /// Fills the message in place: its arrays keep their memory.
 void fill_drillstring_state(const FrameOutput& s, const std::string& floor, DrillstringState& m);

@@ -20,6 +20,7 @@
 #include "drill_rig_sim/RestoreState.h"
 #include "drill_rig_sim/SaveState.h"
 #include "drill_rig_sim/SetSpeed.h"
+#include "drill_rig_sim/TareOver.h"
 #include "drill_rig_sim/StepSimulation.h"
 #include "drill_rig_sim/ros/follower_watch.h"
 #include "drill_rig_sim/ros/publishing_thread.h"
@@ -47,6 +48,7 @@ private:
   std::string pause();
   std::string resume();
   std::string tare();
+  std::string tare_over(const TareOver::Request& request, TareOver::Response& response);
   std::string set_speed(double speed);
   std::string save_state(const SaveState::Request& request);
   Saved present_state(bool to_go_on_from);

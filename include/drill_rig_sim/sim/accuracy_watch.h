@@ -9,7 +9,7 @@
 namespace drill_rig_sim
 {
 /// The string's loads that its elements or its walls do not represent: the largest of the first kind of these that occurs.
-/// - Confined: guided pipe carries more than 0.8 of its critical buckling load (model/buckling.h).
+/// - Confined: guided pipe carries more than 0.8 of its critical buckling load (string_watch.h).
 /// - Compression: two cubic elements carry the half wave into which pipe in a hole buckles, pi sqrt(2 E I/P), so an element of length L
 ///   carries (pi^2/2) E I/L^2. Above it the mesh decides how the pipe buckles.
 /// - Twist: 1 rad an element; the corotational element is made for less.

@@ -22,6 +22,10 @@ const char* why_refused(const Simulator& simulator, const Setpoint& command) noe
 
 /// Zero of weight and differential pressure: Simulator::tare().
 void ask_tare(Simulator& simulator);
+/// The same at the means over the last `duration` [s]: Simulator::tare_over(). What was zeroed.
+Zero ask_tare_over(Simulator& simulator, double duration);
+/// What was zeroed, in one line.
+std::string words_of(const Zero& zero);
 /// Begins a fault, or ends it.
 void ask_fault(Simulator& simulator, const Fault& fault, bool clear);
 /// Sets the slips or pulls them.

@@ -9,6 +9,7 @@
 
 #include "drill_rig_sim/crew/rig_controls.h"
 #include "drill_rig_sim/instruments/signals.h"
+#include "drill_rig_sim/instruments/zero_window.h"
 #include "drill_rig_sim/model/energy_accounts.h"
 #include "drill_rig_sim/model/profiler.h"
 #include "drill_rig_sim/model/work.h"
@@ -140,6 +141,11 @@ public:
   const std::string& choice() const noexcept;
 
   bool tare() noexcept override;
+  /// The same zeroes at their means over the last `duration` [s], for the gauges `zero` answers which. False, and nothing changed, on bottom, in the slips,
+  /// and where that is longer than zero_held().
+  bool tare_over(double duration, Zero& zero) noexcept;
+  /// How long the string has hung, or moved steadily, with the same set point of the pump, at most some ZeroWindow::longest [s].
+  double zero_held() const noexcept;
   bool stick_pipe(double md) noexcept override;
   void free_pipe() noexcept override;
   const char* inject(const Fault& fault) noexcept override;

@@ -43,7 +43,7 @@ class Follow:
     block itself would be followed against the ringing of the string on its lines, which makes that worse. The drum never goes against the record, not to make
     up for what it is off either: friction of rail, sheaves and string would act the other way. Where pipe was added or taken away the record waits until the
     rig has done so too, and the bit is where it then belongs."""
-    period, listens = 0.05, False  # [s]: jerks of longer steps would ring in the string
+    period = 0.05      # [s]: jerks of longer steps would ring in the string
     catch_up = 0.2     # in which the drum makes up for what it is off [s]
     to_place = 0.1     # fastest way of the bit to where it belongs after a connection [m/s]
     to_place_in = 1.0  # it slows down in [s]
