@@ -58,7 +58,9 @@ FaultKind kind_named(std::string name)
   std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   for (int kind = 0; kind < fault_count; ++kind)
     if (name == fault_traits[kind].word) return static_cast<FaultKind>(kind);
-  throw std::runtime_error("fault is " + name + "; allowed are those of InjectFault");
+  std::string allowed;
+  for (const FaultTraits& fault : fault_traits) allowed += (allowed.empty() ? "" : ", ") + std::string(fault.word);
+  throw std::runtime_error("fault is " + name + "; allowed: " + allowed);
 }
 }  // namespace
 

@@ -9,6 +9,7 @@
 #include "drill_rig_sim/scene/survey_file.h"
 #include "drill_rig_sim/well/projection.h"
 #include "drill_rig_sim/well/tie_in.h"
+#include "join_depths.h"
 #include "problems.h"
 #include "scene_keys.h"
 #include "read_hydraulics.h"
@@ -59,6 +60,7 @@ public:
 
     // checks between keys make sense only once every key alone is right
     problems_.raise();
+    join_depths(scene);
     tie_in_survey(scene.well);
     project(scene);
     check(scene);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 #include <optional>
+#include <sstream>
 #include <utility>
 #include <vector>
 
@@ -299,14 +300,42 @@ bool take_row(const Line& line, const CsvTable& table, SurveyRows& survey, Probl
   return true;
 }
 
+// The line of units below the header, where there is one; false if it has one that is not known.
+bool take_unit_line(const std::vector<Line>& lines, CsvTable& table, Problems& problems)
+{
+  if (table.first_row >= lines.size()) return true;
+  const Line& line = lines[table.first_row];
+  const Cells cells = split(line.text, table.delimiter.character);
+  if (take_units(cells, table.header))
+  {
+    ++table.first_row;
+    return true;
+  }
+  const auto unknown = unknown_unit(cells, table.header);
+  if (!unknown) return true;
+  const std::size_t place = *table.header.place[*unknown];
+  problems.add_at(line.number, table.header.cells[place].text, "\"" + shortened(cells[place]) + "\" is not a known unit, allowed: " + survey_unit_names(is_angle(*unknown)));
+  return false;
+}
+
+// the north that lines above a header's name, comments included
+std::string north_above(const std::string& text, int header_line)
+{
+  std::istringstream lines(text);
+  std::string line, north;
+  for (int number = 1; number < header_line && north.empty() && std::getline(lines, line); ++number) north = north_of_line(line);
+  return north;
+}
+
 // what the reader has to report of a header
-void add_remarks(const CsvTable& table, SurveyRows& survey)
+void add_remarks(const CsvTable& table, const std::string& text, SurveyRows& survey)
 {
   const SurveyHeader& header = table.header;
   const HeaderCell& depth = header.cells[*header.place[survey_md]];
   const HeaderCell& azimuth = header.cells[*header.place[survey_azimuth]];
   if (depth.weak) survey.remarks.push_back("\"" + shortened(depth.text) + "\" is read as measured depth");
-  if (azimuth.north == "grid" || azimuth.north == "magnetic") survey.remarks.push_back(north_remark(azimuth.north));
+  const std::string north = azimuth.north.empty() ? north_above(text, table.line) : azimuth.north;
+  if (north == "grid" || north == "magnetic") survey.remarks.push_back(north_remark(north));
   std::string angles;
   for (const std::size_t i : {survey_inclination, survey_azimuth})
     if (!header.unit[i]) angles += (angles.empty() ? "" : " and ") + std::string("\"") + shortened(header.cells[*header.place[i]].text) + "\"";
@@ -339,7 +368,7 @@ SurveyRows read_survey_csv(const std::string& text, const SurveyFormat& format, 
   for (std::size_t i = 0; i < survey_quantities; ++i)
     if (header.place[i]) survey.names[i] = header.cells[*header.place[i]].text;
   survey.decimal_commas = table.delimiter.character != ',';
-  if (table.first_row < lines.size() && take_units(split(lines[table.first_row].text, table.delimiter.character), header)) ++table.first_row;
+  if (!take_unit_line(lines, table, problems)) return survey;
   const std::string no_unit = unit_problem(header, survey_md);
   if (!no_unit.empty()) problems.add_at(table.line, survey.names[survey_md], no_unit);
   if (problems.empty()) take_rows(lines, table, survey, problems);
@@ -347,7 +376,7 @@ SurveyRows read_survey_csv(const std::string& text, const SurveyFormat& format, 
   take_groups(table.delimiter.character, survey, problems);
   if (survey.decimal_commas && problems.empty()) check_points(survey, problems);
   if (survey.decimal_commas && problems.empty()) check_commas(survey, problems);
-  add_remarks(table, survey);
+  add_remarks(table, text, survey);
   settle_angles(header, survey, problems, table.line);
   for (SurveyRow& row : survey.rows) row.units = header.unit;
   survey.taken = "the header was read as " + description(header) + ", delimiter " + table.delimiter.name;

@@ -4,12 +4,12 @@
 #include <functional>
 #include <map>
 
+#include "survey_words.h"
+
 namespace drill_rig_sim
 {
 namespace
 {
-using Words = std::vector<std::string>;
-
 constexpr std::array<const char*, survey_quantities> own_names = {"md_m", "inclination_deg", "azimuth_deg", "north_m", "east_m", "tvd_m"};
 constexpr std::array<const char*, survey_quantities> full_names = {"measured depth", "inclination", "azimuth", "north", "east", "true vertical depth"};
 
@@ -34,67 +34,6 @@ const std::map<std::string, std::size_t>& spellings()
     return all;
   }();
   return table;
-}
-
-// words that say from which north an azimuth counts
-const std::map<std::string, std::string>& norths()
-{
-  static const std::map<std::string, std::string> table = {{"true", "true"}, {"tn", "true"}, {"grid", "grid"}, {"gn", "grid"},
-                                                           {"mag", "magnetic"}, {"magnetic", "magnetic"}, {"mn", "magnetic"}};
-  return table;
-}
-
-bool is_letter(char c)
-{
-  return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '%' || static_cast<unsigned char>(c) >= 0x80;
-}
-
-// in small letters; signs part them
-Words name_words(const std::string& text)
-{
-  Words words(1);
-  for (const char c : lowered(text))
-  {
-    if (is_letter(c))
-      words.back() += c;
-    else if (!words.back().empty())
-      words.emplace_back();
-  }
-  if (words.back().empty()) words.pop_back();
-  return words;
-}
-
-std::string joined(const Words& words, std::size_t count)
-{
-  std::string text;
-  for (std::size_t i = 0; i < count; ++i) text += words[i];
-  return text;
-}
-
-const UnitName* unit_for(std::size_t quantity, const std::string& spelling)
-{
-  return is_angle(quantity) ? angle_unit(spelling) : length_unit(spelling);
-}
-
-// takes (...) and [...] out of a text
-std::string without_brackets(const std::string& text, Words& inside)
-{
-  std::string outside;
-  bool in = false;
-  for (const char c : text)
-  {
-    if (!in && (c == '(' || c == '[' || c == '{'))
-    {
-      in = true;
-      inside.emplace_back();
-      outside += ' ';
-    }
-    else if (in && (c == ')' || c == ']' || c == '}'))
-      in = false;
-    else
-      (in ? inside.back() : outside) += c;
-  }
-  return outside;
 }
 
 // the degree sign is a word of its own
@@ -316,23 +255,6 @@ SurveyHeader find_columns(const std::vector<std::string>& cells, const SurveyFor
       if (!header.place[i]) find_unknown_unit(i, header);
   }
   return header;
-}
-
-bool take_units(const std::vector<std::string>& cells, SurveyHeader& header)
-{
-  std::array<const UnitName*, survey_quantities> units = header.unit;
-  for (std::size_t i = 0; i < survey_quantities; ++i)
-  {
-    if (!header.place[i] || *header.place[i] >= cells.size()) continue;
-    Words brackets;
-    const std::string bare = without_brackets(cells[*header.place[i]], brackets);
-    const UnitName* unit = unit_for(i, brackets.size() == 1 ? brackets.front() : bare);
-    if (i < needed_quantities && !unit) return false;
-    if (unit && units[i] && unit != units[i]) return false;
-    if (unit) units[i] = unit;
-  }
-  header.unit = units;
-  return true;
 }
 
 std::string unit_problem(const SurveyHeader& header, std::size_t quantity)

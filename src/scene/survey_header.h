@@ -46,6 +46,12 @@ SurveyHeader find_columns(const std::vector<std::string>& cells, const SurveyFor
 /// Takes the units out of a line of them below the header, "(ft);(deg);(deg)"; false if the line is none.
 bool take_units(const std::vector<std::string>& cells, SurveyHeader& header);
 
+/// The column whose cell in such a line is no unit that is known while another's is; none where the line is not of units.
+std::optional<std::size_t> unknown_unit(const std::vector<std::string>& cells, const SurveyHeader& header);
+
+/// "grid" or "magnetic" where a line above the header says that azimuths count from that north: "North reference: Grid North". Else "".
+std::string north_of_line(const std::string& line);
+
 /// Why the columns' units cannot be told, in one line; empty if they can. Those of angles may be left to the values.
 std::string unit_problem(const SurveyHeader& header, std::size_t quantity);
 

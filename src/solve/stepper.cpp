@@ -17,6 +17,7 @@ constexpr double largest_growth = 1.8;   // from step to step; times 1.25, BDF2 
 constexpr double least_stretch = 0.5;    // a step four times as wrong as allowed is repeated
 constexpr double iterations = 800.0, in_time = 0.01;  // of Newton's, and the time that they are for [s]
 constexpr double for_a_step = 4.0;       // of them are kept for each step that is left
+constexpr double shortest_rescue = 1e-6;  // where a step of shortest_step has no solution [s]
 int budget_of(double duration) noexcept
 {
   return static_cast<int>(iterations * std::ceil(duration / in_time));
@@ -55,6 +56,11 @@ bool Stepper::advance(State& state, double step, const Setpoints& setpoints) noe
   return control_ ? advance_by_control(state, step, setpoints) : HalvingIntegrator::advance(state, step, setpoints);
 }
 
+const char* Stepper::failure() const noexcept
+{
+  return control_ ? "the step did not converge, even in steps of a microsecond; reset the well or restore a state" : HalvingIntegrator::failure();
+}
+
 bool Stepper::take_one_step(State& state, double step, const Setpoints& setpoints) noexcept
 {
   int budget = budget_of(step);
@@ -87,23 +93,31 @@ StepResult Stepper::attempt_by_control(State& state, double step, const Setpoint
 }
 
 /// A step that fails is repeated shorter. The work is bounded: steps are no shorter than what is left of it allows, and when half
-/// of it is done errors are no reason to repeat any more.
+/// of it is done errors are no reason to repeat any more. Where a step of shortest_step has no solution, as where friction lets a jammed bit go, steps
+/// are quartered until inertia gives one, and grow again from there.
 bool Stepper::advance_by_control(State& state, double duration, const Setpoints& setpoints) noexcept
 {
   if (state.step.wanted <= 0.0) state.step.wanted = first_step;
   const int whole = budget_of(duration);
   int budget = whole;
+  double least = shortest_step;
   for (double left = duration; left > 0.0;)
   {
-    const double wanted = std::ceil(left / std::clamp(state.step.wanted, shortest_step, longest_step) - may_be_longer);
-    const double parts = std::max(1.0, std::min(wanted, std::floor(budget / for_a_step)));
-    const double step = left / parts;
+    const double wanted = std::ceil(left / std::clamp(state.step.wanted, least, longest_step) - may_be_longer);
+    const double affordable = least < shortest_step ? wanted : std::floor(budget / for_a_step);
+    const double step = left / std::max(1.0, std::min(wanted, affordable));
     const bool may_refine = step > shortest_step && budget > whole / 2;
     const StepResult outcome = attempt_by_control(state, step, setpoints, budget, may_refine);
     if (outcome == StepResult::solved)
-      left = parts > 1.0 ? left - step : 0.0;
-    else if (outcome == StepResult::not_converged && (step <= 0.5 * shortest_step || budget <= 0))
-      return false;
+    {
+      left = step < left ? left - step : 0.0;
+      least = std::min(shortest_step, largest_growth * least);
+    }
+    else if (outcome == StepResult::not_converged)
+    {
+      if (budget <= 0 || least <= shortest_rescue) return false;
+      if (step < 1.5 * shortest_step) least *= 0.25;
+    }
   }
   return true;
 }

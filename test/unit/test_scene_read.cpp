@@ -347,5 +347,23 @@ TEST(SceneReference, ListsKeysWithUnitsAndDefaults)
   EXPECT_NE(reference.find("| `level` |  | auto | rigid, axial_torsional, hybrid, beam3d or auto |"), std::string::npos);
 }
 
+// A foot of a survey's file and a foot of the scene are rounded in other places; a depth is one depth all the same.
+TEST(ReadScene, aDepthInFeetIsTheSameDepthInSurveyAndScene)
+{
+  const TemporaryFolder folder;
+  const std::string file = folder.file("feet.csv");
+  for (int depth = 3000; depth < 12000; depth += 373)
+  {
+    const std::string feet = std::to_string(depth);
+    std::ofstream(file) << "MD (ft),Inc (deg),Azi (deg)\n0,0,0\n" << feet << ",2,30\n";
+    const Scene scene = read_scene(in_source("config/scenes/quick.yaml"),
+                                   {"well={survey: {file: " + file + "}, sections: [{to: " + feet + " ft, diameter: 0.2159, friction: 0.3}]}",
+                                    "start.bit_depth=" + feet + " ft"});
+    EXPECT_EQ(scene.well.survey.back().md, scene.well.hole_depth) << feet;
+    EXPECT_EQ(scene.well.hole_depth, scene.well.sections.back().to) << feet;
+    EXPECT_EQ(scene.well.hole_depth, scene.start.bit_depth) << feet;
+  }
+}
+
 }  // namespace
 }  // namespace drill_rig_sim::test_scene_read

@@ -143,6 +143,23 @@ TEST(SceneSurvey, DepthAloneIsMeasuredDepth)
   EXPECT_NEAR(90.0, read("Depth (m),MD (m),Inc (deg),Azi (deg)\n0,0,0,0\n80,90,5,1\n").stations[1].md, 1e-9);
 }
 
+TEST(SceneSurvey, ALineAboveTheHeaderMayNameTheNorth)
+{
+  const char* rows = "MD (ft),Inc (deg),Azi (deg)\n0,0,0\n1000,2,30\n";
+  for (const char* line : {"# North reference: Grid North", "North: Magnetic", "Survey Tool: MWD+IFR;Ref: Grid North;;;", "Azimuths,North Reference,Grid"})
+    EXPECT_TRUE(holds(read(std::string(line) + "\n" + rows).remarks.at(0), "north")) << line;
+  for (const char* line : {"# North reference: True North", "Rig: North Star", "Grid convergence to North: 1.2", "Location: MN, North Star", "Magnetic declination, North: 3"})
+    EXPECT_TRUE(read(std::string(line) + "\n" + rows).remarks.empty()) << line;
+  EXPECT_TRUE(holds(read("Meas. Depth;Drift Angle;Hole Direction\n[ft RKB];[deg];[deg grid]\n0;0;0\n1000;2;30\n").remarks.at(0), "grid north"));
+}
+
+TEST(SceneSurvey, ALineOfUnitsMayHaveWordsBesideThem)
+{
+  EXPECT_NEAR(1000.0 * foot, read("Depth;Inc;Azi\nft RKB;decimal degrees;dec deg\n0;0;0\n1000;2;30\n").stations[1].md, 1e-9);
+  EXPECT_TRUE(holds(refusal("Depth;Inc;Azi\nft;deg;sixtieths\n0;0;0\n1000;2;30\n"), ":2: Azi: \"sixtieths\" is not a known unit"));
+  EXPECT_TRUE(holds(refusal("Depth;Inc;Azi\nfathoms;deg;deg\n0;0;0\n1000;2;30\n"), ":2: Depth: \"fathoms\" is not a known unit"));
+}
+
 TEST(SceneSurvey, TheTieInHasUnitsToo)
 {
   const SurveyTable table = read("MD (ft),Inc (deg),Azi (deg),N/S (ft),+E/-W (ft),TVD (ft)\n100,1,90,-3,2,99\n200,1,90,,,\n");

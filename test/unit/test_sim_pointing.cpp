@@ -3,9 +3,11 @@
 
 #include <cmath>
 
+#include "drill_rig_sim/scene/read_scene.h"
 #include "drill_rig_sim/scene/scene_problems.h"
 #include "drill_rig_sim/sim/run.h"
 #include "drill_rig_sim/well/directions.h"
+#include "in_source.h"
 #include "playing.h"
 #include "sim_numbers.h"
 #include "steerable_scenes.h"
@@ -165,5 +167,15 @@ TEST(Pointing, leansAtEveryLevelThatHasFreeNodes)
   EXPECT_GT(free, 500.0);
   EXPECT_NEAR(pressed(Level::hybrid), free, 0.05 * free);
   EXPECT_LT(pressed(Level::axial_torsional), 0.05 * free);
+}
+
+// Pads that are tilted by more than they give way: the bit sticks, and what holds it lets go within less than a tenth of a millisecond.
+TEST(Pointing, drillsOnWithABitThatJamsOnItsPads)
+{
+  Simulator rig(read_scene(in_source("test/scenes/jamming_pads.yaml")));
+  ScenePlayer player(rig.scene());
+  RunGoal goal;
+  goal.duration = 45.0;
+  EXPECT_EQ(RunEnd::duration, run(rig, player, goal, frame)) << rig.failure();
 }
 }  // namespace test_sim_pointing

@@ -32,6 +32,7 @@ public:
   NewtonLimits& limits() noexcept { return limits_; }
   bool advance(State& state, double step, const Setpoints& setpoints) noexcept override;
   bool take_one_step(State& state, double step, const Setpoints& setpoints) noexcept override;
+  const char* failure() const noexcept override;
 
 private:
   StepResult attempt_by_control(State& state, double step, const Setpoints& setpoints, int& budget, bool may_refine) noexcept;
