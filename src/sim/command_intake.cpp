@@ -81,6 +81,7 @@ Setpoints CommandIntake::in_force() const noexcept
 void CommandIntake::follow(const FrameOrder& order) noexcept
 {
   commands_ = order.commands;
+  delay_.follow(order.passed);
   downlink_ = order.downlink;
   interlocks_ = order.interlocks;
 }

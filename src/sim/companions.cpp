@@ -29,6 +29,7 @@ void Companions::order(double duration, const Setpoints& setpoints) noexcept
   order.duration = duration;
   order.setpoints = setpoints;
   order.commands = rig_.state.commands;
+  order.passed = rig_.state.delay.passed();
   order.downlink = rig_.state.downlink;
   order.interlocks = rig_.state.interlocks;
   order.crew = rig_.state.crew;

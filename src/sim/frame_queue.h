@@ -23,6 +23,7 @@ struct FrameOrder
   double duration = 0.0;  // [s]
   Setpoints setpoints;
   CommandState commands;
+  Setpoints passed;  // by the dead times
   DownlinkReceiver downlink;
   InterlockState interlocks;
   CrewState crew;

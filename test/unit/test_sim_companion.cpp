@@ -58,6 +58,19 @@ TEST(Companion, ofTheSameNumericsIsItsLeaderToTheBit)
   }
 }
 
+TEST(Companion, getsSetPointsAfterTheSameDeadTimes)
+{
+  Scene scene = drilling_scene(0.05);
+  scene.rig.plc_latency = 0.3;
+  scene.rig.hoisting.latency = 0.2;
+  Simulator rig(scene, 3);
+  rig.add_companion(rig.scene().numerics);
+  drill(rig);
+  EXPECT_EQ(rig.truth().setpoints.winch.block_velocity, -0.01);
+  EXPECT_TRUE(rig.companion_truth(0).setpoints == rig.truth().setpoints);
+  expect_same(rig.truth(), rig.companion_truth(0), "companion");
+}
+
 TEST(Companion, goesThroughConnections)
 {
   Simulator rig(slips_scene(Level::beam3d));

@@ -21,6 +21,8 @@ public:
   void take(const Setpoints& given, double now) noexcept;
   /// What the actuators get in it; before the first set point is due, those of a rig at rest, braked.
   const Setpoints& passed() const noexcept { return passed_; }
+  /// Of a model that goes along with another: actuators get what those of the other get.
+  void follow(const Setpoints& passed) noexcept { passed_ = passed; }
   bool is_on() const noexcept { return plc_ > 0.0 || drawworks_ > 0.0; }
   /// Moves all it remembers by `shift` [s].
   void shift_time(double shift) noexcept;
