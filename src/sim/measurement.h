@@ -38,6 +38,8 @@ public:
   void warn_of_error(const AccuracyReport& report) noexcept;
   /// The motion's model is another one. Allocates.
   void string_changed();
+  /// After the simulator's state was restored.
+  void resume() noexcept { statistics_.accuracy = accuracy_.report; }
   /// Moves all they remember by `shift` to `now` [s].
   void shift_time(double shift, double now) noexcept;
 

@@ -138,6 +138,7 @@ bool SimulatedRig::restore(const SimulatorState& saved, bool keep_time)
   }
   if (keep_time) shift_time(before);
   motion.resume();
+  measurement.resume();
   failure = "";
   return true;
 }

@@ -191,6 +191,24 @@ TEST(Snapshot, sameSeedAndCommandsGiveTheSameBits)
 
 // The clock alone runs on: everything else follows bit by bit, times shifted. Time enters sums (k h), so only what does not hold
 // a time is compared, and instruments to the round-off of their clocks' differences. The streams of commands end on the way.
+// A hole inclined at the table: a warning of the model, after some frames.
+TEST(Snapshot, bringsTheReasonOfItsWarningBack)
+{
+  Scene scene = vertical_scene(400.0, 290.0);
+  for (SurveyStation& station : scene.well.survey) station.inclination = 12.0 * degree;
+  Simulator rig(scene);
+  const auto before = rig.save();
+  for (int k = 0; k < 100; ++k) rig.frame(kFrame);
+  const auto warned = rig.save();
+  ASSERT_EQ(rig.statistics().accuracy.doubt, AccuracyDoubt::slant);
+  ASSERT_TRUE(rig.restore(*before));
+  EXPECT_EQ(rig.statistics().accuracy.doubt, AccuracyDoubt::none);
+  EXPECT_FALSE(rig.truth().accuracy_warning);
+  ASSERT_TRUE(rig.restore(*warned));
+  EXPECT_EQ(rig.statistics().accuracy.doubt, AccuracyDoubt::slant);
+  EXPECT_TRUE(rig.truth().accuracy_warning);
+}
+
 TEST(Snapshot, keepTimeMovesTheClockAlone)
 {
   constexpr int before = 200, after = 500;  // [frames]
