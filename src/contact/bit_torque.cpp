@@ -56,11 +56,25 @@ TorqueLimit detournay_bit_torque(const BitTorqueSpec& spec, double diameter, dou
   return out;
 }
 
+namespace
+{
+/// A face that rubs, whatever the rock.
+TorqueLimit limit_of_face(const BitTorqueSpec& spec, double diameter, double force, double speed, const FormationLayer&) noexcept
+{
+  return stribeck_bit_torque(spec, diameter, force, speed);
+}
+
+/// By BitTorqueModel.
+constexpr decltype(&detournay_bit_torque) limits[] = {
+#define BIT_LAW(name, limit, ...) limit,
+#include "drill_rig_sim/contact/bit_law_list.h"
+};
+}  // namespace
+
 TorqueLimit bit_torque_limit(const BitTorqueSpec& spec, double diameter, double force, double speed,
                              const FormationLayer& rock) noexcept
 {
-  TorqueLimit out = spec.model == BitTorqueModel::stribeck ? stribeck_bit_torque(spec, diameter, force, speed)
-                                                           : detournay_bit_torque(spec, diameter, force, speed, rock);
+  TorqueLimit out = limits[static_cast<int>(spec.model)](spec, diameter, force, speed, rock);
   if (rock.ring.lever == 1.0) return out;
   out.value *= rock.ring.lever;
   out.force_slope *= rock.ring.lever;

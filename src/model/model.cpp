@@ -15,7 +15,7 @@ namespace
 std::vector<FormationLayer> rings_of(const Scene& scene)
 {
   const BitSpec& bit = *scene.string.front().bit;
-  const bool by_width = bit.torque.model != BitTorqueModel::stribeck;
+  const bool by_width = traits_of(bit.torque.model).drag;
   std::vector<FormationLayer> layers = scene.formation;
   for (FormationLayer& layer : layers) layer = ring_of(layer, scene.well.pilot_diameter / bit.diameter, by_width);
   return layers;

@@ -257,8 +257,10 @@ private:
       in(entries, path, "nozzles", [&](const YAML::Node& n, const std::string& p) { read_nozzles(n, p, part.bit->nozzles, problems_); });
       read_one(entries, path, "bottom", bit_bottom_keys, part.bit->bottom);
       in(entries, path, "torque", [&](const YAML::Node& n, const std::string& p) { read_bit_torque(n, p, part.bit->torque); });
-      if (entries.count("bottom") && part.bit->torque.model == BitTorqueModel::regenerative)
-        problems_.add(join(path, "bottom"), "has no effect with the regenerative torque model, which computes the weight on bit; leave it out");
+      const BitLawTraits law = traits_of(part.bit->torque.model);
+      if (entries.count("bottom") && law.by_cut)
+        problems_.add(join(path, "bottom"), std::string("has no effect with the ") + law.word +
+                                                " torque model, which computes the weight on bit; leave it out");
     }
     if (part.stiffness.axial > 0.0 && entries.count("poisson_ratio"))
       problems_.add(join(path, "poisson_ratio"), "is given together with the stiffnesses, which define it, allowed: one of the two");

@@ -3,7 +3,6 @@
 namespace drill_rig_sim
 {
 const std::vector<const char*> part_type_words = {"bit", "mud_motor", "collar", "stabilizer", "mwd", "pipe", "rotary_steerable"};
-const std::vector<const char*> bit_torque_words = {"stribeck", "detournay", "regenerative"};
 const std::vector<const char*> stribeck_curve_words = {"gaussian", "exponential"};
 const std::vector<const char*> need_words = {"hook_load", "torque", "wob", "rop", "bit_speed", "pressure", "direction", "contact", "buckling"};
 const std::vector<const char*> rheology_words = {"newtonian", "bingham", "power_law", "herschel_bulkley"};
@@ -57,8 +56,6 @@ constexpr unsigned bit = kind(PartType::bit), motor = kind(PartType::mud_motor),
                    mwd = kind(PartType::mwd), pipe = kind(PartType::pipe), steerable = kind(PartType::rotary_steerable);
 constexpr unsigned tube = every_kind & ~bit;
 constexpr unsigned jointed = pipe | kind(PartType::collar);
-constexpr unsigned stribeck = kind(BitTorqueModel::stribeck), regenerative = kind(BitTorqueModel::regenerative),
-                   drag = kind(BitTorqueModel::detournay) | regenerative;
 constexpr unsigned bingham = kind(RheologyLaw::bingham), yields = kind(RheologyLaw::herschel_bulkley), thins = kind(RheologyLaw::power_law) | yields;
 constexpr Range turn = between(-360.0, 360.0);
 
@@ -237,19 +234,6 @@ std::vector<Key<ContactLaw>> contact_law_keys()
 
 const Table<ContactLaw> part_contact_keys = {"string[].contact", "Wall contact of one part.", contact_law_keys()};
 const Table<ContactLaw> bit_bottom_keys = {"string[].bottom", "Contact of the bit with the hole's bottom.", contact_law_keys()};
-
-const Table<BitTorqueSpec> bit_torque_keys = {"string[].torque", "Torque on bit. stribeck: mu(speed) weight diameter / 3, mu falls from static to kinetic. detournay: cutting and wear-flat friction. regenerative: cutting and friction where weight and torque follow from the depth of cut of each blade below the blade before it; without `bottom` and without friction across the face.", {
-  {"model",                 "",       Choice<BitTorqueSpec>{bit_torque_words, [](BitTorqueSpec& t, int word) { t.model = static_cast<BitTorqueModel>(word); },
-                                                            [](const BitTorqueSpec& t) { return static_cast<int>(t.model); }},
-                                                                           none,                 "law of the torque"},
-  {"static",                "-",      &BitTorqueSpec::static_friction,     between(0.0, 5.0),    "friction coefficient mu of the bit at rest, at least `kinetic`", no_kind, stribeck},
-  {"kinetic",               "-",      &BitTorqueSpec::kinetic_friction,    between(0.0, 5.0),    "friction coefficient mu of the bit at high speed", no_kind, stribeck},
-  {"speed_rpm",             "rpm",    &BitTorqueSpec::speed,               between(0.1, 1000.0), "bit speed over which mu falls", no_kind, stribeck},
-  {"cutting_energy",        "J/m3",   &BitTorqueSpec::cutting_energy,      between(0.0, 1e10),   "intrinsic specific energy of the rock; 0: as the drillability implies", no_kind, drag},
-  {"wear_friction",         "-",      &BitTorqueSpec::wear_friction,       between(0.0, 5.0),    "friction coefficient times bit constant of the wear flats", no_kind, drag},
-  {"wear_weight",           "N",      &BitTorqueSpec::wear_weight,         between(0.0, 1e6),    "weight on the wear flats, at most the rock's threshold", no_kind, drag},
-  {"blades",                "",       &BitTorqueSpec::blades,              between(1, 12),       "number of blades, equal and evenly spaced; each cuts below the one before it", no_kind, regenerative},
-}};
 
 const Table<RigSpec> rig_keys = {"rig", "The rig above the rotary table.", {
   {"hoisting",              "",       Nested{},                            none,                 "drill line, block and winch"},

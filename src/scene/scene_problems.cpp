@@ -34,7 +34,8 @@ void check_drag_bit(const BitSpec& bit, const std::vector<FormationLayer>& layer
 {
   constexpr double least = 0.4, most = 1.0;  // about the measured 0.5 to 0.8
   const BitTorqueSpec& torque = bit.torque;
-  if (torque.model == BitTorqueModel::stribeck) return;
+  const BitLawTraits law = traits_of(torque.model);
+  if (!law.drag) return;
   for (std::size_t i = 0; i < layers.size(); ++i)
   {
     const FormationLayer& rock = layers[i];
@@ -42,9 +43,9 @@ void check_drag_bit(const BitSpec& bit, const std::vector<FormationLayer>& layer
     if (torque.wear_weight > rock.threshold)
       problems.emplace_back("string[0].torque.wear_weight", plain(torque.wear_weight) + " N is more than the threshold of " +
                                                                 layer + ", allowed: up to " + plain(rock.threshold) + " N");
-    if (torque.model == BitTorqueModel::regenerative && (rock.weight_exponent != 1.0 || rock.speed_exponent != 1.0))
+    if (law.by_cut && (rock.weight_exponent != 1.0 || rock.speed_exponent != 1.0))
     {
-      problems.emplace_back("string[0].torque.model", "regenerative needs weight_exponent 1 and speed_exponent 1 in " + layer);
+      problems.emplace_back("string[0].torque.model", std::string(law.word) + " needs weight_exponent 1 and speed_exponent 1 in " + layer);
       continue;
     }
     if (torque.cutting_energy == 0.0) continue;
@@ -110,6 +111,14 @@ double narrowest_above(const std::vector<HoleSection>& sections, double depth)
   return narrowest;
 }
 
+std::string laws_that_ream()
+{
+  std::string words;
+  for (const BitLawTraits& law : bit_laws)
+    if (!law.by_cut) words += (words.empty() ? "" : " or ") + std::string(law.word);
+  return words;
+}
+
 void check_reaming(const Scene& scene, ProblemList& problems)
 {
   constexpr double most = 0.95;  // of the bit's diameter: what is left of less is no ring that a law of drilling holds for
@@ -117,8 +126,10 @@ void check_reaming(const Scene& scene, ProblemList& problems)
   const BitSpec& bit = *scene.string[0].bit;
   if (scene.well.pilot_diameter > most * bit.diameter)
     problems.emplace_back("well.pilot_diameter", metres(scene.well.pilot_diameter) + " is too wide to be reamed by this bit, allowed: up to " + metres(most * bit.diameter));
-  if (bit.torque.model == BitTorqueModel::regenerative)
-    problems.emplace_back("string[0].torque.model", "reaming with the regenerative law is not available yet, allowed: stribeck or detournay, or no well.pilot_depth");
+  const BitLawTraits law = traits_of(bit.torque.model);
+  if (law.by_cut)
+    problems.emplace_back("string[0].torque.model", std::string("reaming with the ") + law.word + " law is not available yet, allowed: " +
+                                                        laws_that_ream() + ", or no well.pilot_depth");
 }
 
 void check_diameters(const Scene& scene, ProblemList& problems)

@@ -100,7 +100,7 @@ void check_inside(const std::vector<PartSpec>& parts, ProblemList& problems)
     if (part.mwd && part.mwd->sensor_offset > part.length)
       problems.emplace_back(item_key("string", i, "sensor_offset"),
                             metres(part.mwd->sensor_offset) + " is outside the part, allowed: 0 to " + metres(part.length));
-    if (part.bit && part.bit->torque.model == BitTorqueModel::stribeck &&
+    if (part.bit && !traits_of(part.bit->torque.model).drag &&
         part.bit->torque.kinetic_friction > part.bit->torque.static_friction)
       problems.emplace_back(item_key("string", i, "torque.kinetic"), plain(part.bit->torque.kinetic_friction) + " exceeds static, allowed: up to " +
                                                                          plain(part.bit->torque.static_friction));

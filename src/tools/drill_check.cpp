@@ -199,9 +199,10 @@ void print_shortcomings(const Scene& scene, const Printed& printed)
   {
     if (std::find(pages.begin(), pages.end(), page) == pages.end()) pages.emplace_back(page);
   };
-  if (scene.string.front().bit->torque.model == BitTorqueModel::regenerative)
+  const BitLawTraits law = traits_of(scene.string.front().bit->torque.model);
+  if (law.by_cut)
   {
-    std::printf("bit         regenerative: weight and torque are those of the cut; the face does not rub across the bottom\n");
+    std::printf("bit         %s: weight and torque are those of the cut; the face does not rub across the bottom\n", law.word);
     see("theory/bit.md");
   }
   const RigAtRest rig = build_at_rest(scene);

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <functional>
+#include <iterator>
 
 #include "drill_rig_sim/contact/bit_torque.h"
 
@@ -39,6 +40,24 @@ void expect_slopes(const BitTorqueSpec& spec, double force, double speed, const 
   const double n = central([&](double x) { return bit_torque_limit(spec, 0.3112, force, x, rock).value; }, std::abs(speed), 1e-3);
   EXPECT_NEAR(limit.force_slope, f, 1e-6 * std::abs(f));
   EXPECT_NEAR(limit.speed_slope, n, 1e-6 * std::abs(n) + 1e-9);
+}
+
+// Each row has the limit of its kind: of a face that rubs, or of a drag bit.
+TEST(BitTorqueLimit, ListOfLaws)
+{
+  const FormationLayer rock = rock_with(1.0);
+  for (int law = 0; law < static_cast<int>(std::size(bit_laws)); ++law)
+  {
+    BitTorqueSpec spec = drag_bit();
+    spec.model = static_cast<BitTorqueModel>(law);
+    const bool drag = traits_of(spec.model).drag;
+    EXPECT_FALSE(traits_of(spec.model).by_cut && !drag) << bit_laws[law].word;
+    const TorqueLimit limit = bit_torque_limit(spec, 0.3112, 74e3, 4.0, rock);
+    const TorqueLimit expected = drag ? detournay_bit_torque(spec, 0.3112, 74e3, 4.0, rock) : stribeck_bit_torque(spec, 0.3112, 74e3, 4.0);
+    EXPECT_EQ(limit.value, expected.value) << bit_laws[law].word;
+    EXPECT_EQ(limit.force_slope, expected.force_slope) << bit_laws[law].word;
+  }
+  EXPECT_STREQ(traits_of(BitTorqueModel::regenerative).word, "regenerative");
 }
 
 TEST(BitTorqueLimit, StribeckFallsWithSpeed)

@@ -7,12 +7,26 @@
 /// Torque on bit: how much the rock can resist the bit's turning, and the bristle that lets a stuck bit really stick.
 namespace drill_rig_sim
 {
+/// The laws, by which one of the functions below gives the largest torque; the list says what each of them is.
 enum class BitTorqueModel
 {
-  stribeck,  ///< T = mu_b(omega) F D / 3 with mu_b falling from static to kinetic
-  detournay,  ///< T = cutting energy * a^2 d / 2 + wear-flat friction
-  regenerative  ///< the same, and the weight too, by the depth of cut that each blade finds (bit_cut.h)
+#define BIT_LAW(name, ...) name,
+#include "drill_rig_sim/contact/bit_law_list.h"
 };
+
+struct BitLawTraits
+{
+  const char* word;  ///< of the scene file
+  bool drag;    ///< cutters and wear flats carry the weight by their width; else the face rubs
+  bool by_cut;  ///< weight and torque by the depth that each blade cuts (bit_cut.h)
+};
+
+/// By BitTorqueModel.
+constexpr BitLawTraits bit_laws[] = {
+#define BIT_LAW(name, limit, drag, by_cut, meaning) {#name, drag, by_cut},
+#include "drill_rig_sim/contact/bit_law_list.h"
+};
+constexpr BitLawTraits traits_of(BitTorqueModel model) noexcept { return bit_laws[static_cast<int>(model)]; }
 
 struct BitTorqueSpec
 {
@@ -20,10 +34,10 @@ struct BitTorqueSpec
   double static_friction = 0.6;   ///< YAML `static` [-]
   double kinetic_friction = 0.4;  ///< YAML `kinetic` [-]
   double speed = 30.0 * rpm;      ///< YAML `speed_rpm`: bit speed over which it falls [rad/s]
-  double cutting_energy = 0.0;    ///< detournay: intrinsic specific energy epsilon; 0: what the rock's drillability says [J/m3]
-  double wear_friction = 0.6;     ///< detournay: mu * gamma of the wear flat [-]
-  double wear_weight = 0.0;       ///< detournay: weight carried by the wear flats [N]
-  int blades = 5;                 ///< regenerative: n, alike and evenly set
+  double cutting_energy = 0.0;    ///< drag: intrinsic specific energy epsilon; 0: what the rock's drillability says [J/m3]
+  double wear_friction = 0.6;     ///< drag: mu * gamma of the wear flat [-]
+  double wear_weight = 0.0;       ///< drag: weight carried by the wear flats [N]
+  int blades = 5;                 ///< by_cut: n, alike and evenly set
 };
 
 /// The largest torque at a force on the bottom and a bit speed, and its slopes.

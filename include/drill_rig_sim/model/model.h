@@ -46,7 +46,7 @@ public:
   int top() const noexcept { return nodes() - 1; }
   const BitSpec& bit() const noexcept { return *scene_.string.front().bit; }
   /// Whether the bit cuts blade by blade (contact/bit_cut.h).
-  bool regenerative() const noexcept { return bit().torque.model == BitTorqueModel::regenerative; }
+  bool regenerative() const noexcept { return traits_of(bit().torque.model).by_cut; }
   /// Null: none.
   const MotorSpec* motor() const noexcept { return motor_; }
   /// Of the rotary steerable tool; null: none.
