@@ -50,7 +50,34 @@ Vector3d tilt_and_spin(const Quaterniond& start, const Quaterniond& now)
 RigDae::Rig RigDae::rig_of(const Model& model, const State& state)
 {
   Rig rig;
-  const Mesh& mesh = model.mesh();
+  add_string(model.mesh(), state, rig);
+  const int top = static_cast<int>(model.mesh().nodes.size()) - 1, bit = top + 1, rotor = top + 2, stator = top + 3, block = top + 4;
+  const auto motion = [&rig](int body) -> BodyMotion& { return rig.motions[static_cast<std::size_t>(body)]; };
+  const RigSpec& spec = model.scene().rig;
+  const BodyMotion shaft = motion(top);
+  for (const double share : {kRotorShare, kStatorShare, kBlockShare})
+  {
+    const double mass = share * spec.hoisting.block_mass, inertia = mass * kGyrationSquare;
+    rig.bodies.push_back({mass, 0.0, inertia, inertia});
+    rig.motions.push_back(shaft);
+    rig.motions.back().angular_velocity.setZero();
+  }
+  rig.bodies[static_cast<std::size_t>(rotor)].spin_inertia = spec.top_drive.inertia;
+  motion(rotor).angular_velocity = state.drive.speed * shaft.normal;
+  motion(stator).position.z() += kStatorAbove;
+  motion(block).position.z() += kBlockAbove;
+
+  rig.joints.push_back(fixed_joint(0, motion(0), bit, motion(bit)));
+  rig.joints.push_back(revolute_joint(rotor, motion(rotor), top, motion(top)));
+  rig.joints.push_back(revolute_joint(stator, motion(stator), rotor, motion(rotor)));
+  rig.joints.push_back(guide_rail(-1, BodyMotion(), stator, motion(stator)));
+  rig.joints.push_back(fixed_joint(stator, motion(stator), block, motion(block)));
+  return rig;
+}
+
+/// A body for each node of the string, and one for the bit.
+void RigDae::add_string(const Mesh& mesh, const State& state, Rig& rig)
+{
   for (std::size_t i = 0; i < mesh.nodes.size(); ++i)
   {
     const MeshNode& node = mesh.nodes[i];
@@ -67,32 +94,6 @@ RigDae::Rig RigDae::rig_of(const Model& model, const State& state)
   lowest.tilt_inertia -= bit_inertia;
   rig.bodies.push_back({mesh.bit_mass, 0.0, bit_inertia, bit_inertia});
   rig.motions.push_back(rig.motions.front());
-
-  const RigSpec& spec = model.scene().rig;
-  const double mass = spec.hoisting.block_mass;
-  const int top = static_cast<int>(mesh.nodes.size()) - 1;
-  const BodyMotion shaft = rig.motions[static_cast<std::size_t>(top)];
-  for (const double share : {kRotorShare, kStatorShare, kBlockShare})
-  {
-    BodyMotion motion = shaft;
-    motion.angular_velocity.setZero();
-    const double inertia = share * mass * kGyrationSquare;
-    rig.bodies.push_back({share * mass, 0.0, inertia, inertia});
-    rig.motions.push_back(motion);
-  }
-  const int bit = top + 1, rotor = top + 2, stator = top + 3, block = top + 4;
-  auto motion = [&rig](int body) -> BodyMotion& { return rig.motions[static_cast<std::size_t>(body)]; };
-  rig.bodies[static_cast<std::size_t>(rotor)].spin_inertia = spec.top_drive.inertia;
-  motion(rotor).angular_velocity = state.drive.speed * shaft.normal;
-  motion(stator).position.z() += kStatorAbove;
-  motion(block).position.z() += kBlockAbove;
-
-  rig.joints.push_back(fixed_joint(0, motion(0), bit, motion(bit)));
-  rig.joints.push_back(revolute_joint(rotor, motion(rotor), top, motion(top)));
-  rig.joints.push_back(revolute_joint(stator, motion(stator), rotor, motion(rotor)));
-  rig.joints.push_back(guide_rail(-1, BodyMotion(), stator, motion(stator)));
-  rig.joints.push_back(fixed_joint(stator, motion(stator), block, motion(block)));
-  return rig;
 }
 
 RigDae::RigDae(const Model& model, Stage& stage, Workspace& work, const State& state, Formulation formulation, double tolerance)
@@ -310,55 +311,81 @@ void RigDae::add_rig_jacobian(const double* y, SparseJacobian& j)
   about(top, top, -meter, spring, 0.0);
 }
 
-/// The bit's own forces and the further states, by central differences: some thirty evaluations of one node.
+namespace
+{
+struct BitMotion
+{
+  GivenNode node;
+  double motor_speed, motor_turn, mean_speed;
+  Vector3d bottom;
+};
+using BitColumn = Eigen::Matrix<double, 12, 1>;
+
+/// Derivative of what the bit answers to a motion, by central differences.
+/// @param move  moves it along one coordinate, by `step` or back
+template <class Answer, class Move>
+BitColumn difference(const Answer& answer, const BitMotion& given, double step, const Move& move)
+{
+  BitColumn out = BitColumn::Zero();
+  for (const double sign : {1.0, -1.0})
+  {
+    BitMotion moved = given;
+    move(moved, sign * step);
+    out += sign / (2.0 * step) * answer(moved);
+  }
+  return out;
+}
+
+/// By the place, the turn and the rates of the bit's node.
+template <class Answer>
+Eigen::Matrix<double, 12, 12> differences_by_node(const Answer& answer, const BitMotion& given)
+{
+  Eigen::Matrix<double, 12, 12> out;
+  for (int k = 0; k < 3; ++k)
+  {
+    const auto shift = [k](BitMotion& m, double step)
+    {
+      m.node.position[k] += step;
+      m.node.increment[k] += step;
+    };
+    const auto turn = [k](BitMotion& m, double step)
+    {
+      m.node.orientation = rotation_from_vector(step * Vector3d::Unit(k)) * m.node.orientation;
+      m.node.increment[3 + k] += step;
+    };
+    out.col(k) = difference(answer, given, kPlaceStep, shift);
+    out.col(3 + k) = difference(answer, given, kPlaceStep, turn);
+  }
+  for (int k = 0; k < 6; ++k)
+    out.col(6 + k) = difference(answer, given, kRateStep, [k](BitMotion& m, double step) { m.node.rate[k] += step; });
+  return out;
+}
+
+/// By the further states.
+template <class Answer>
+Eigen::Matrix<double, 12, 6> differences_by_further(const Answer& answer, const BitMotion& given)
+{
+  Eigen::Matrix<double, 12, 6> out;
+  out.col(kMotorSpeed) = difference(answer, given, kRateStep, [](BitMotion& m, double step) { m.motor_speed += step; });
+  out.col(kMotorTurn) = difference(answer, given, kPlaceStep, [](BitMotion& m, double step) { m.motor_turn += step; });
+  for (int k = 0; k < 3; ++k)
+    out.col(kBottom + k) = difference(answer, given, kPlaceStep, [k](BitMotion& m, double step) { m.bottom[k] += step; });
+  out.col(kMeanSpeed) = difference(answer, given, kRateStep, [](BitMotion& m, double step) { m.mean_speed += step; });
+  return out;
+}
+}  // namespace
+
+/// The bit's own forces and the further states, by some thirty evaluations of one node.
 void RigDae::add_bit_jacobian(SparseJacobian& j)
 {
-  struct BitMotion
-  {
-    GivenNode node;
-    double motor_speed, motor_turn, mean_speed;
-    Vector3d bottom;
-  };
   const BitMotion given{motion_.bit, stage_.bit.motor_speed, stage_.bit.motor_turn, stage_.bit.mean_speed, stage_.bit.bottom_increment};
   const auto answer = [this](const BitMotion& at)
   {
     stage_.bit = bit_drive(at.motor_speed, at.motor_turn, at.bottom, at.mean_speed, at.node);
     return bit_rates(evaluate_bit_motion(model_, *start_, stage_, at.node, work_));
   };
-  const auto column = [&](double step, const auto& move)
-  {
-    BitAnswer out = BitAnswer::Zero();
-    for (const double sign : {1.0, -1.0})
-    {
-      BitMotion moved = given;
-      move(moved, sign * step);
-      out += sign / (2.0 * step) * answer(moved);
-    }
-    return out;
-  };
-  Eigen::Matrix<double, 12, 12> by_motion;
-  for (int k = 0; k < 3; ++k)
-  {
-    by_motion.col(k) = column(kPlaceStep,
-                              [k](BitMotion& m, double step)
-                              {
-                                m.node.position[k] += step;
-                                m.node.increment[k] += step;
-                              });
-    by_motion.col(3 + k) = column(kPlaceStep,
-                                  [k](BitMotion& m, double step)
-                                  {
-                                    m.node.orientation = rotation_from_vector(step * Vector3d::Unit(k)) * m.node.orientation;
-                                    m.node.increment[3 + k] += step;
-                                  });
-  }
-  for (int k = 0; k < 6; ++k) by_motion.col(6 + k) = column(kRateStep, [k](BitMotion& m, double step) { m.node.rate[k] += step; });
-  Eigen::Matrix<double, 12, 6> by_further;
-  by_further.col(kMotorSpeed) = column(kRateStep, [](BitMotion& m, double step) { m.motor_speed += step; });
-  by_further.col(kMotorTurn) = column(kPlaceStep, [](BitMotion& m, double step) { m.motor_turn += step; });
-  for (int k = 0; k < 3; ++k)
-    by_further.col(kBottom + k) = column(kPlaceStep, [k](BitMotion& m, double step) { m.bottom[k] += step; });
-  by_further.col(kMeanSpeed) = column(kRateStep, [](BitMotion& m, double step) { m.mean_speed += step; });
+  const Eigen::Matrix<double, 12, 12> by_motion = differences_by_node(answer, given);
+  const Eigen::Matrix<double, 12, 6> by_further = differences_by_further(answer, given);
 
   add_force_derivative(bit(), bit(), by_motion.topLeftCorner<6, 6>(), by_motion.topRightCorner<6, 6>(), j);
   const int at = 12 * bit(), further = further_at();

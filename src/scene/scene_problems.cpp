@@ -132,57 +132,56 @@ void check_reaming(const Scene& scene, ProblemList& problems)
                                                         laws_that_ream() + ", or no well.pilot_depth");
 }
 
+/// Whether part `i`, whose lower end is `from_bit` [m] above the bit's face, passes all sections on its way down, with the bit as deep as a
+/// run may drill.
+void check_passage(const Scene& scene, std::size_t i, double from_bit, ProblemList& problems)
+{
+  const double drilled = scene.rig.hoisting.highest_block_height;
+  const PartSpec& part = scene.string[i];
+  const Width width = widest(part);
+  const bool into_drilled = from_bit < drilled;
+  const double deepest = scene.well.hole_depth + (into_drilled ? 0.0 : drilled - from_bit);
+  const double narrowest = narrowest_above(scene.well.sections, deepest);
+  const std::string key = item_key("string", i, width.key);
+  if (width.diameter > narrowest)
+  {
+    problems.emplace_back(key, metres(width.diameter) + " does not pass the hole, allowed: up to its narrowest section above " +
+                                   metres(deepest) + ": " + metres(narrowest) +
+                                   (part.type == PartType::bit ? "; if the bit reams a narrower hole, set well.pilot_depth" : ""));
+    return;
+  }
+  const std::optional<BitSpec>& bit = scene.string[0].bit;
+  if (i > 0 && into_drilled && bit && width.diameter > bit->diameter)
+    problems.emplace_back(key, metres(width.diameter) + " does not fit the hole that the bit drills, allowed: up to " + metres(bit->diameter));
+}
+
+/// Diameters of one part against each other.
+void check_thickness(const PartSpec& part, std::size_t i, ProblemList& problems)
+{
+  const std::string body = "outer_diameter, " + metres(part.outer_diameter);
+  if (part.inner_diameter >= part.outer_diameter)
+    problems.emplace_back(item_key("string", i, "inner_diameter"),
+                          metres(part.inner_diameter) + " leaves no wall thickness, allowed: below " + body);
+  const auto check_wider = [&](const char* key, double diameter, const char* or_else)
+  {
+    if (diameter < part.outer_diameter)
+      problems.emplace_back(item_key("string", i, key),
+                            metres(diameter) + " is thinner than the body, allowed: at least " + body + or_else);
+  };
+  if (part.pipe && part.pipe->tool_joint_diameter > 0.0) check_wider("tool_joint_diameter", part.pipe->tool_joint_diameter, "");
+  if (part.motor && part.motor->sleeve_diameter > 0.0) check_wider("sleeve_diameter", part.motor->sleeve_diameter, ", or 0");
+  if (part.stabilizer) check_wider("blade_diameter", part.stabilizer->blade_diameter, "");
+}
+
 void check_diameters(const Scene& scene, ProblemList& problems)
 {
-  // every part passes all sections on its way down, with the bit as deep as a run may drill
-  const double drilled = scene.rig.hoisting.highest_block_height;
   double from_bit = 0.0;
   for (std::size_t i = 0; i < scene.string.size(); ++i)
   {
     const PartSpec& part = scene.string[i];
-    const Width width = widest(part);
-    const bool into_drilled = from_bit < drilled;
-    const double deepest = scene.well.hole_depth + (into_drilled ? 0.0 : drilled - from_bit);
-    const double narrowest = narrowest_above(scene.well.sections, deepest);
+    check_passage(scene, i, from_bit, problems);
     from_bit += part.length;
-    if (width.diameter > narrowest)
-    {
-      problems.emplace_back(
-          item_key("string", i, width.key),
-          metres(width.diameter) + " does not pass the hole, allowed: up to its narrowest section above " + metres(deepest) + ": " + metres(narrowest) +
-              (part.type == PartType::bit ? "; if the bit reams a narrower hole, set well.pilot_depth" : ""));
-    }
-    else if (i > 0 && into_drilled && scene.string[0].bit && width.diameter > scene.string[0].bit->diameter)
-    {
-      problems.emplace_back(item_key("string", i, width.key), metres(width.diameter) +
-                                                     " does not fit the hole that the bit drills, allowed: up to " +
-                                                     metres(scene.string[0].bit->diameter));
-    }
-    if (part.type == PartType::bit) continue;
-    if (part.inner_diameter >= part.outer_diameter)
-    {
-      problems.emplace_back(
-          item_key("string", i, "inner_diameter"),
-          metres(part.inner_diameter) + " leaves no wall thickness, allowed: below outer_diameter, " + metres(part.outer_diameter));
-    }
-    if (part.pipe && part.pipe->tool_joint_diameter > 0.0 && part.pipe->tool_joint_diameter < part.outer_diameter)
-    {
-      problems.emplace_back(item_key("string", i, "tool_joint_diameter"), metres(part.pipe->tool_joint_diameter) +
-                                                                 " is thinner than the body, allowed: at least outer_diameter, " +
-                                                                 metres(part.outer_diameter));
-    }
-    if (part.motor && part.motor->sleeve_diameter > 0.0 && part.motor->sleeve_diameter < part.outer_diameter)
-    {
-      problems.emplace_back(item_key("string", i, "sleeve_diameter"), metres(part.motor->sleeve_diameter) +
-                                                             " is thinner than the body, allowed: at least outer_diameter, " +
-                                                             metres(part.outer_diameter) + ", or 0");
-    }
-    if (part.stabilizer && part.stabilizer->blade_diameter < part.outer_diameter)
-    {
-      problems.emplace_back(item_key("string", i, "blade_diameter"), metres(part.stabilizer->blade_diameter) +
-                                                            " is thinner than the body, allowed: at least outer_diameter, " +
-                                                            metres(part.outer_diameter));
-    }
+    if (part.type != PartType::bit) check_thickness(part, i, problems);
   }
 }
 

@@ -65,6 +65,36 @@ double norm_callback(SUNLinearSolver)
   return 0.0;
 }
 
+/// Solves with the tangent of the problem.
+OwnedLinearSolver solver_of(Session& session, SUNContext context)
+{
+  OwnedLinearSolver linear(SUNLinSolNewEmpty(context));
+  linear->content = &session;
+  linear->ops->gettype = type_callback;
+  linear->ops->setatimes = products_callback;
+  linear->ops->numiters = iterations_callback;
+  linear->ops->resnorm = norm_callback;
+  linear->ops->initialize = initialize_callback;
+  linear->ops->setup = setup_callback;
+  linear->ops->solve = solve_callback;
+  linear->ops->free = free_without_content;
+  return linear;
+}
+
+/// The largest absolute residual at `u`; not finite where one is not.
+double largest_residual(const NonlinearProblem& problem, const std::vector<double>& u)
+{
+  std::vector<double> residual(u.size());
+  problem.residual(u.data(), residual.data());
+  double largest = 0.0;
+  for (double r : residual)
+  {
+    if (!(std::abs(r) <= largest)) largest = std::abs(r);
+    if (!std::isfinite(r)) break;  // and stays
+  }
+  return largest;
+}
+
 struct FreeKinsol
 {
   void operator()(void* memory) const { KINFree(&memory); }
@@ -81,16 +111,7 @@ KinsolOutcome kinsol_solve(const NonlinearProblem& problem, double tolerance, in
   const OwnedVector ones(N_VNew_Serial(n, context.get()));
   N_VConst(1.0, ones.get());
   Session session{&problem, u};
-  const OwnedLinearSolver linear(SUNLinSolNewEmpty(context.get()));
-  linear->content = &session;
-  linear->ops->gettype = type_callback;
-  linear->ops->setatimes = products_callback;
-  linear->ops->numiters = iterations_callback;
-  linear->ops->resnorm = norm_callback;
-  linear->ops->initialize = initialize_callback;
-  linear->ops->setup = setup_callback;
-  linear->ops->solve = solve_callback;
-  linear->ops->free = free_without_content;
+  const OwnedLinearSolver linear = solver_of(session, context.get());
 
   const std::unique_ptr<void, FreeKinsol> memory(KINCreate(context.get()));
   void* kinsol = memory.get();
@@ -106,13 +127,7 @@ KinsolOutcome kinsol_solve(const NonlinearProblem& problem, double tolerance, in
   long iterations = 0;
   KINGetNumNonlinSolvIters(kinsol, &iterations);
   out.iterations = static_cast<int>(iterations);
-  std::vector<double> residual(u.size());
-  problem.residual(u.data(), residual.data());
-  for (double r : residual)
-  {
-    if (!(std::abs(r) <= out.residual)) out.residual = std::abs(r);
-    if (!std::isfinite(r)) break;  // and stays
-  }
+  out.residual = largest_residual(problem, u);
   // at round-off the line search finds nothing better and says that it failed: the residual judges
   out.converged = out.residual <= (flag >= 0 ? 10.0 : 1.0) * tolerance;
   return out;

@@ -81,6 +81,7 @@ private:
 
   RigDae(const Model& model, Stage& stage, Workspace& work, Rig rig, Formulation formulation, double tolerance);
   static Rig rig_of(const Model& model, const State& state);
+  static void add_string(const Mesh& mesh, const State& state, Rig& rig);
   int string_nodes() const { return model_.nodes(); }
   int bit() const { return string_nodes(); }
   int rotor() const { return string_nodes() + 1; }
