@@ -24,12 +24,12 @@ double share(double value, double from, double to) noexcept
   return std::clamp((value - from) / (to - from), 0.0, 1.0) + 0.0;  // no -0
 }
 
-/// Axial, of all pipe between bit and shaft and of the lines at the start's block height, one after the other [N/m].
-double stiffness_of(const Scene& scene)
+/// All pipe between bit and shaft, and the lines at the start's block height.
+HookedString string_of(const Scene& scene)
 {
   const double height = scene.start.block_height;
   const HungString hung(build_mesh(scene, scene.start.bit_depth + height), scene.rig.hoisting, height);
-  return 1.0 / (1.0 / hung.stiffness + 1.0 / hung.lines);
+  return {1.0 / (1.0 / hung.stiffness + 1.0 / hung.lines), hung.mass + scene.rig.hoisting.block_mass};
 }
 
 /// Whether an operation raises the block, that began with the bit at a depth [m MD].
@@ -56,7 +56,9 @@ double WeightFeed::velocity(double weight, double wanted, double stiffness, doub
 {
   const double held = 1.0 / (stiffness * learn_time);  // without a derivative: the lag of dW/dt is W less its own
   if (!begun) *this = {weight * held, weight, true};
-  const double rop = std::max(0.0, rate - weight * held), drillability = rop / std::max(mean_weight, 0.25 * wanted);
+  const double rop = std::max(0.0, rate - weight * held);
+  const double least = mean_weight > felt * wanted ? 0.25 : 1.0;  // of what is wanted: a bit that runs off bottom gives way too
+  const double drillability = rop / std::max(mean_weight, least * wanted);
   const double down = std::clamp(drillability * wanted + (wanted - weight) / (stiffness * feed_time), 0.0, most);
   const double share = std::min(1.0, duration / learn_time);
   rate += share * (down - (rate - weight * held));
@@ -77,7 +79,7 @@ bool PressureTrend::is_steady() const noexcept
 
 OperationsPlayer::OperationsPlayer(const Scene& scene) : operations_(scene.operations), acceleration_(scene.rig.hoisting.max_acceleration), tag_settles_(tag_settles + scene.rig.heave.wave_period()), began_(operations_.size() + 1, Operation::unset), watch_(scene)
 {
-  if (!operations_.empty()) stiffness_ = stiffness_of(scene);
+  if (!operations_.empty()) string_ = string_of(scene);
 }
 
 void OperationsPlayer::rewind() noexcept
@@ -104,7 +106,9 @@ void OperationsPlayer::apply(RigControls& rig) noexcept
   if (trouble_ != OperationTrouble::none) return;  // what is to be done now is the driller's decision
   if (rig.truth().crew != CrewTask::none)
   {
-    feed_ = WeightFeed();  // the crew has the rig
+    feed_ = WeightFeed();  // the crew has the rig, and zeroes the weight
+    approach_ = BottomApproach();
+    zeroes_ = false;
     crew_came_ = true;
     watch_.begin(rig.truth().time);
     followed_at_ = rig.truth().time;
@@ -138,6 +142,7 @@ void OperationsPlayer::begin(RigControls& rig) noexcept
   began_block_ = now.block_height;
   began_load_ = now.hook_load;
   feed_ = WeightFeed();
+  approach_ = BottomApproach();
   watch_.begin(now.time);
   legs_ = 0;
   settled_ = crew_came_ = false;
@@ -155,7 +160,8 @@ void OperationsPlayer::begin(RigControls& rig) noexcept
     rig.command(WinchSetpoint{lifts_ ? o.speed : -o.speed, false});
   }
   const bool by_weight = traits_of(o.kind).drills;
-  if (by_weight && !now.tared && !rig.tare()) rig.fail("operations: the weight on bit is not zeroed, needed: tag before drill or slide");
+  zeroes_ = by_weight && !now.tared;
+  if (zeroes_ && !rig.tare()) rig.fail("operations: the weight on bit is not zeroed, needed: tag before drill or slide");
   if (o.kind == OperationKind::steer) rig.command(SteeringSetpoint{o.toolface, o.ratio});
   if (o.kind == OperationKind::slide || o.kind == OperationKind::oscillate)
   {
@@ -219,9 +225,17 @@ void OperationsPlayer::follow_weight(RigControls& rig) noexcept
 {
   const Operation& o = operations_[next_];
   const Readings& now = rig.readings();
-  const double velocity = feed_.velocity(now.mean_surface_wob, o.weight, stiffness_, o.speed, now.time - followed_at_);
+  const double duration = now.time - followed_at_;
   followed_at_ = now.time;
-  rig.command(WinchSetpoint{velocity, false});
+  if (!approach_.begun) approach_.begin(now, string_, o.weight, o.speed, zeroes_, rig.scene().rig.heave.amplitude > 0.0);
+  if (approach_.goes_on(now, duration))
+  {
+    feed_ = WeightFeed();
+    if (zeroes_) rig.tare();  // refused on bottom
+    rig.command(WinchSetpoint{approach_.velocity(now, duration), false});
+    return;
+  }
+  rig.command(WinchSetpoint{feed_.velocity(now.mean_surface_wob, o.weight, string_.stiffness, o.speed, duration), false});
 }
 
 /// How far the block still rises until it stands, if it is stopped or turned back now [m].

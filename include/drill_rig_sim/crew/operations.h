@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "drill_rig_sim/crew/bottom_approach.h"
 #include "drill_rig_sim/crew/operation_trouble.h"
 #include "drill_rig_sim/crew/program.h"
 #include "drill_rig_sim/scene/scene.h"
@@ -36,6 +37,7 @@ struct WeightFeed
 {
   static constexpr double feed_time = 8.0;   ///< T, longer than waves take up and down a string of 5 km [s]
   static constexpr double learn_time = 4.0;  ///< of the lag [s]
+  static constexpr double felt = 0.1;        ///< of W*: with less the bit may be off bottom, and c is taken for that at W* [-]
   double rate = 0.0;         ///< mean rate of penetration, plus W/(K learn_time) [m/s]
   double mean_weight = 0.0;  ///< [N]
   bool begun = false;
@@ -79,8 +81,8 @@ struct PressureTrend
 ///   period of the waves, where the rig heaves) and when the stand-pipe pressure is steady (or after pressure_settles), or the bit is on bottom, and counts
 ///   weight from then on. Begun off bottom, but less than
 ///   5 cm, it lifts the block first: over the first 2 cm of its way down the friction of sheaves and rail turns round. slack_off with a `weight` zeroes it at its beginning.
-/// - drill keeps `weight` by the block (WeightFeed), and ends with the brake set. Without a zero of the weight it takes one first; where it cannot, on
-///   bottom, it fails the simulator's next frame.
+/// - drill brings the bit to bottom (BottomApproach), keeps `weight` by the block (WeightFeed), and ends with the brake set. Without a zero of the weight it
+///   zeroes all the way down; where it cannot, on bottom, it fails the simulator's next frame.
 /// - slide does the same with the drive holding an angle (or rocking about it), which it turns by what the toolface lacks whenever a toolface has
 ///   come that was measured toolface_settles after the last turn.
 /// - steer commands a rotary steerable tool.
@@ -96,7 +98,7 @@ public:
   static constexpr double tag_settles = 10.0;      ///< [s]
   static constexpr double pressure_settles = 60.0; ///< how much longer tag waits for a steady pressure, at most [s]
 
-  /// Works out the stiffness of string and lines. Allocates; nothing else here does.
+  /// Works out stiffness and mass of the string. Allocates; nothing else here does.
   explicit OperationsPlayer(const Scene& scene);
   /// Ends what is over, begins what is next, and follows. Call before each frame.
   void apply(RigControls& rig) noexcept;
@@ -117,6 +119,8 @@ public:
     v("began_block", began_block_);
     v("began_load", began_load_);
     v("ramp", ramp_);
+    v("approach", approach_);
+    v("zeroes", zeroes_);
     v("feed", feed_);
     v("followed_at", followed_at_);
     v("legs", legs_);
@@ -155,7 +159,7 @@ private:
   std::vector<Operation> operations_;
   double acceleration_;     // of the winch [m/s2]
   double tag_settles_;      // tag_settles, and a period of the waves over which weight is a mean [s]
-  double stiffness_ = 0.0;  // of string and lines in series [N/m]
+  HookedString string_;     // at the start
   std::size_t next_ = 0;
   std::vector<double> began_;
   double began_bit_ = 0.0, began_hole_ = 0.0, began_block_ = 0.0, began_load_ = 0.0;  // of the one under way: bit depth, hole depth, block height, hook load
@@ -164,6 +168,8 @@ private:
   double pressure_at_ = 0.0;  // when that was followed last [s]
   OperationTroubleWatch watch_;
   OperationTrouble trouble_ = OperationTrouble::none;
+  BottomApproach approach_;
+  bool zeroes_ = false;       // the weight, all the way down to bottom
   WeightFeed feed_;
   double followed_at_ = 0.0;  // [s]
   int legs_ = 0;              // of ream, that are over

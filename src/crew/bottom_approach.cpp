@@ -1,0 +1,100 @@
+#include "drill_rig_sim/crew/bottom_approach.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "drill_rig_sim/crew/operations.h"
+#include "drill_rig_sim/rig/hoisting.h"
+
+namespace drill_rig_sim
+{
+namespace
+{
+constexpr double at_bottom = 0.002;                  // a bit that is less above bottom by the readings is there [m]
+constexpr double turns_round = 2.0 * sheave_presliding;  // the friction of the sheaves, over this way [m]
+}  // namespace
+
+void BottomApproach::begin(const Readings& now, const HookedString& string, double weight, double speed, bool zeroes, bool heaves) noexcept
+{
+  *this = BottomApproach();
+  begun = true;
+  zeroes_ = zeroes;
+  wanted_ = weight;
+  most_ = speed;
+  slow_ = std::min({speed, fastest, weight / (string.stiffness * WeightFeed::feed_time)});
+  gentle_ = inertia * weight / string.mass;
+  bottom_ = now.hole_depth;
+  room_ = std::max(0.5 * slow_ * slow_time, 2.0 * turns_round);
+  over_ = !zeroes && bottom_ - now.bit_depth < at_bottom;
+  begin_to_lower(now);
+  settled_ = heaves;
+  lifts_left_ = zeroes && !heaves ? most_lifts : 0;
+  if (lifts_left_ > 0 && bottom_ - now.bit_depth < room_) lift(now);
+}
+
+void BottomApproach::begin_to_lower(const Readings& now) noexcept
+{
+  lifts_ = settled_ = false;
+  lowers_from_ = now.block_height;
+  fast_load_ = slow_load_ = now.hook_load;
+  steady_for_ = speed_ = mean_weight_ = 0.0;
+}
+
+void BottomApproach::lift(const Readings& now) noexcept
+{
+  lifts_ = true;
+  --lifts_left_;
+  lift_to_ = now.block_height + room_ - (bottom_ - now.bit_depth);
+  room_ *= 2.0;  // of the next time
+}
+
+/// Whether the load of the string that is lowered has come to rest once.
+void BottomApproach::follow_load(const Readings& now, double duration) noexcept
+{
+  lowers_from_ = std::max(lowers_from_, now.block_height);
+  fast_load_ += duration / (trend_time + duration) * (now.hook_load - fast_load_);
+  slow_load_ += duration / (2.0 * trend_time + duration) * (now.hook_load - slow_load_);
+  const bool turned = lowers_from_ - now.block_height >= turns_round;
+  const bool is_steady = turned && std::abs(fast_load_ - slow_load_) <= steady * wanted_;
+  steady_for_ = is_steady ? steady_for_ + duration : 0.0;
+  settled_ = settled_ || steady_for_ >= steady_time;
+}
+
+bool BottomApproach::goes_on(const Readings& now, double duration) noexcept
+{
+  if (over_) return false;
+  if (lifts_) return true;
+  if (now.bit_depth > bottom_ + slow_ * beyond_time) over_ = true;
+  follow_load(now, duration);
+  const double weight = now.mean_surface_wob;
+  mean_weight_ += std::min(1.0, duration / felt_time) * ((settled_ ? weight : 0.0) - mean_weight_);
+  const bool is_felt = mean_weight_ >= felt * wanted_ || (weight >= 0.5 * wanted_ && (settled_ || (zeroes_ && is_near(now))));
+  if (!over_ && !is_felt) return true;
+  speed_ = 0.0;
+  return false;
+}
+
+/// Whether the bit has come to the slow part.
+bool BottomApproach::is_near(const Readings& now) const noexcept
+{
+  return bottom_ - now.bit_depth <= slow_ * slow_time;
+}
+
+double BottomApproach::velocity(const Readings& now, double duration) noexcept
+{
+  if (!lifts_ && !settled_ && now.bit_depth >= bottom_)
+  {
+    if (lifts_left_ > 0)
+      lift(now);
+    else
+      settled_ = true;  // bottom is near by the depth
+  }
+  if (lifts_ && now.block_height < lift_to_ && !now.stop_reached) return std::min(most_, fastest);
+  if (lifts_) begin_to_lower(now);
+  const double left = std::max(0.0, bottom_ - now.bit_depth - slow_ * slow_time);
+  const double allowed = std::min(most_, std::sqrt(slow_ * slow_ + 2.0 * gentle_ * left));
+  speed_ = std::min(allowed, speed_ + gentle_ * duration);
+  return -speed_;
+}
+
+}  // namespace drill_rig_sim
