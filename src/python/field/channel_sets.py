@@ -59,7 +59,7 @@ def index_of(indices, names, times):
     if asked or of_kind:
         place = (asked or of_kind)[0]
         return place, TIME_INDEX.get(kinds[place]) if place < len(kinds) else None
-    named = [place for place, name in enumerate(names) if word(name) in RANKS["time"]]
+    named = [place for place, name in enumerate(names) if word(name) in RANKS["time"] and (place >= len(kinds) or not kinds[place])]
     if not named:
         raise NotInTime("its index is %s, and none of its channels is a time (%s); needed: a log by time" % (kinds[0] if kinds else "not said", shown(names)))
     return named[0], None

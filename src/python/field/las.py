@@ -6,7 +6,7 @@ from drill_rig_sim.field.column_finder import DATES
 from drill_rig_sim.field.dates import is_time_of_day
 from drill_rig_sim.field.signals import RANKS, word
 from drill_rig_sim.field.table import RecordError, Table, lines_of, shown
-from drill_rig_sim.field.units import is_unit
+from drill_rig_sim.field.units import is_unit, same_unit
 
 LINE = re.compile(r"([^.:]*)\.((?:\d+ (?=[A-Za-z]))?\S*)(.*)$")  # NAME.UNIT  VALUE; of units `1000 lbf` alone has a blank
 DELIMITERS = {"COMMA": ",", "TAB": "\t"}  # by DLM of ~V; blanks else
@@ -30,7 +30,20 @@ def read_las(file, text, times=()):
     if index == 0:
         units[0] = units[0] or well.get("STRT", ("", ""))[0] or None
     rows, places = rows_of(file, sections["A"], names, version)
-    return Table(file, names, units, rows, places, [(float(null),) if is_number(null) else ()] * len(names), index)
+    remarks = start_differs(names, units, rows, well) if index == 0 else []
+    return Table(file, names, units, rows, places, [(float(null),) if is_number(null) else ()] * len(names), index, remarks=remarks)
+
+
+def start_differs(names, units, rows, well):
+    """Lines, where the index of ~W begins with another number or has another unit than its curve."""
+    unit, start = well.get("STRT", ("", ""))
+    lines = []
+    if unit and units[0] and not (is_unit(unit, "time") and same_unit(unit, units[0])):
+        lines.append("%s: its unit is %s in ~C, that of STRT is %s: %s is used" % (names[0], units[0], unit, units[0]))
+    first = rows[0][0] if rows else ""
+    if is_number(start) and is_number(first) and abs(float(start) - float(first)) > 1e-3 * max(1.0, abs(float(start))):
+        lines.append("STRT is %s, %s of the first row %s: the rows are used" % (start, names[0], first))
+    return lines
 
 
 def sections_of(file, text):

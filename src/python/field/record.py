@@ -9,6 +9,7 @@ from drill_rig_sim.field.files import begins_with, bytes_of, text_of
 from drill_rig_sim.field.las import read_las
 from drill_rig_sim.field.signal_reader import part_of
 from drill_rig_sim.field.table import Layout, RecordError, read_delimited
+from drill_rig_sim.field.unit_change import unit_changes
 from drill_rig_sim.field.witsml import read_witsml
 
 MOST_DAYS = 400.0  # that a record may last
@@ -122,6 +123,8 @@ def remarks_of(record):
     longest, begin = longest_step(record.time)
     if longest > long_step(record.time):
         lines.append("a gap of %.4g s from %.6g s on" % (longest, begin))
+    lines += ["%s is %.4g times as large from %.6g s on, as if its unit changed from %s to %s; check its values before that time and after it" %
+              (signal, ratio, record.time[row], before, after) for signal, row, ratio, before, after in unit_changes(record.time, record.signals)]
     lines += below_bottom(record)
     return lines + ["has no %s: %s" % (signal, so) for signal, so in (
         ("flow", "the pump is assumed to be off"), ("top_drive_speed", "the string is assumed not to rotate"),

@@ -6,7 +6,7 @@ import typing
 import numpy
 from drill_rig_sim.field.cells import GROUPED, are_groups, first_decimal_comma, first_of_both_signs, first_of_groups, has_point, is_blank, is_number, with_point
 from drill_rig_sim.field.dates import without_zone
-from drill_rig_sim.field.heading import Wanted, are_places, heading_of, holds_data, is_line_of_units, split
+from drill_rig_sim.field.heading import Wanted, are_places, heading_of, holds_data, is_line_of_units, name_in, names_in, split
 from drill_rig_sim.field.signals import RANKS, SIGNALS, word
 from drill_rig_sim.field.units import is_unit, same_unit
 from drill_rig_sim.refusal import Refusal
@@ -79,7 +79,10 @@ def read_delimited(file, text, layout=Layout(), wanted=Wanted()):
     rows = rows_of(file, lines, heading, len(heading.names))
     units, remarks, table, places = [unit_in(name) for name in names], heading.remarks, [], []
     keep = set(wanted.places(names))
+    again = Again(file, [names_in(one, heading.delimiter) for one in lines[heading.first:heading.last + 1]] + [heading.names], wanted)
     for line, cells in rows:
+        if table and not holds_data(cells) and again.is_header(line, cells, units):
+            continue
         if heading.known and not table and (are_places(cells) or not holds_data(cells) and not is_line_of_units(cells)):
             remarks.append("line %d is skipped: it holds neither units nor measurements" % line)
             continue
@@ -90,8 +93,35 @@ def read_delimited(file, text, layout=Layout(), wanted=Wanted()):
         else:
             table.append([cell if place in keep else "" for place, cell in enumerate(cells)])
             places.append(str(line))
+    remarks += again.remarks()
     decimal = layout.decimal or likely_decimal(file, table, places, heading.delimiter, remarks)
     return Table(file, names, units, numbers_with_points(file, table, places, decimal), places, remarks=remarks)
+
+
+class Again:
+    """A header that stands again between the rows, as in files that were put together: passed over where it is the same, refused where it is another."""
+
+    def __init__(self, file, heads, wanted):
+        self.file, self.heads, self.wanted, self.lines = file, heads, wanted, []
+
+    def is_header(self, line, cells, units):
+        """Whether a row without data is the header or the line of units again. RecordError where it is another one."""
+        found = [name_in(cell) for cell in cells]
+        if found in self.heads:
+            self.lines.append(line)
+            return True
+        if is_line_of_units(cells):
+            differ = next((both for both in zip(units, found) if all(both) and not same_unit(*(text.strip(" []()<>{}") for text in both))), None)
+            if differ:
+                raise RecordError("%s:%d: has other units than the rows before it (%s, not %s); needed: one unit in a column, or a file for each part" %
+                                  (self.file, line, differ[1], differ[0]))
+            return True
+        if self.wanted.count(found):
+            raise RecordError("%s:%d: has other names of columns than the header (%s); needed: one header, or a file for each part" % (self.file, line, shown(found, 8)))
+        return False
+
+    def remarks(self):
+        return ["%d lines repeat the names of the columns and are skipped (first: line %d)" % (len(self.lines), self.lines[0])] if self.lines else []
 
 
 def unit_of_both(file, line, name, cell, unit):

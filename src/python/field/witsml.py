@@ -96,7 +96,7 @@ def index_of(log, names, infos, times):
     named = [place for place, name in enumerate(names) if name.lower() == said]
     if not kind or kind in TIME_INDEX:
         return next(iter(named + time_curves(names, infos, times)), 0), TIME_INDEX.get(kind), True
-    places = time_curves(names, infos, times)
+    places = [place for place in time_curves(names, infos, times) if place not in named or names[place].lower() in times]
     if not places:
         raise NotInTime("its index is %s, and none of its curves is a time (%s); needed: a log by time" % (kind, shown(names)))
     typed = infos.get(names[places[0]], {}).get("type")
