@@ -3,6 +3,7 @@
 import unittest
 
 import numpy
+from drill_rig_sim.field.record import read_record
 from drill_rig_sim.field.unit_change import unit_changes
 from record_folder import FEET, KLBF, Folder
 
@@ -95,6 +96,24 @@ class HeadersAgain(Folder):
 
     def test_another_order(self):
         self.refused("r.csv:4", "%s\n%sTime (s),Block Height (ft),Hook Load (klbf)\n10,29,202\n" % (HEAD, LINES))
+
+
+class Files(Folder):
+    def joined(self, one, other, head="Time (s)"):
+        texts = ["%s,Hook Load (klbf),Block Height (ft)\n%s" % (head, lines) for lines in (one, other)]
+        return "\n".join(read_record([self.file("r%d.csv" % k, text) for k, text in enumerate(texts)]).remarks)
+
+    def test_seconds_that_begin_anew(self):
+        said = self.joined(LINES + "10,202,29\n", "0,300,20\n4,301,19\n8,302,18\n")
+        self.assertIn("r1.csv both hold hook_load, block_height at the same seconds; dates are needed where these begin anew in each file", said.replace("block_height, hook_load", "hook_load, block_height"))
+
+    def test_dates(self):
+        days = ["2024-05-01T10:00:%02dZ,200,30\n" % second for second in (0, 2, 4, 6)]
+        self.assertIn("at the same dates", self.joined(days[0] + days[2], days[1] + days[3], head="DateTime"))
+
+    def test_what_goes_on(self):
+        self.assertNotIn("both hold", self.joined(LINES, "10,202,29\n15,203,28\n"))
+        self.assertNotIn("both hold", self.joined(LINES, LINES + "10,202,29\n"), "a part again")
 
 
 class Indices(Folder):

@@ -31,7 +31,7 @@ class Record:
             check_order(part)
         self.remarks = [line for part in parts for line in prefixed(part.table.file, part.remarks)]
         self.signals, said = joined(parts)
-        said += leave_out_empty(self.signals)
+        said += both_hold(parts) + leave_out_empty(self.signals)
         time = self.signals["time"]
         if len(time) < 2:
             rows = sum(len(part.signals["time"]) for part in parts)
@@ -91,6 +91,23 @@ def joined(parts):
     part, row = origins[order[differing]]
     lines = ["%d rows have the same time as the row before; where values differ, the first is used (first: %s)" % (again.sum(), part.place(row))]
     return {name: values[first] for name, values in columns.items()}, lines
+
+
+def both_hold(parts):
+    """Lines on files that hold the same signals at the same times, in rows of their own: seconds that begin anew in each file, or two gauges."""
+    lines = []
+    for number, one in enumerate(parts):
+        for other in parts[number + 1:]:
+            times = [part.signals["time"] for part in (one, other)]
+            if one.table.file == other.table.file or not all(map(len, times)):
+                continue
+            begin, end = max(time[0] for time in times), min(time[-1] for time in times)
+            inside = [time[(time >= begin) & (time <= end)] for time in times]
+            alike = [name for name in one.signals if name in other.signals and name != "time"]
+            if begin < end and alike and not any(numpy.isin(first, second).all() for first, second in (inside, inside[::-1])):
+                what = "dates" if one.dated else "seconds; dates are needed where these begin anew in each file"
+                lines.append("%s and %s both hold %s at the same %s: rows of both are used in turn" % (one.table.file, other.table.file, ", ".join(alike), what))
+    return lines
 
 
 def check_length(record, parts):
