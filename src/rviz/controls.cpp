@@ -1,6 +1,7 @@
 #include "controls.h"
 
 #include <QGridLayout>
+#include <QKeyEvent>
 #include <QLabel>
 
 #include "look.h"
@@ -26,6 +27,41 @@ UnitBox* Controls::add_box(const QString& name, Dimension dimension, double leas
   auto* box = new UnitBox(name, dimension, least, most, value, this);
   boxes_.push_back(box);
   return box;
+}
+
+UnitBox* Controls::add_set_point(const QString& name, Dimension dimension, double least, double most, double value)
+{
+  UnitBox* box = add_box(name, dimension, least, most, value);
+  set_points_.push_back(box);
+  watch_keys(box);
+  return box;
+}
+
+void Controls::take_back()
+{
+  sent_.invalidate();
+  for (UnitBox* box : set_points_) box->end_edit();
+}
+
+void Controls::settle()
+{
+  take_back();
+  sent_.start();
+}
+
+bool Controls::eventFilter(QObject* watched, QEvent* event)
+{
+  if (event->type() == QEvent::KeyPress)
+  {
+    const int key = static_cast<QKeyEvent*>(event)->key();
+    if (key == Qt::Key_Return || key == Qt::Key_Enter)
+    {
+      if (auto* box = qobject_cast<UnitBox*>(watched)) box->interpretText();
+      apply();
+    }
+    if (key == Qt::Key_Escape) take_back();
+  }
+  return QGroupBox::eventFilter(watched, event);
 }
 
 QLabel* Controls::add_label(const QString& text)

@@ -2,6 +2,7 @@
 
 #include <QCheckBox>
 #include <QLabel>
+#include <QMessageBox>
 #include <QPainter>
 #include <QPushButton>
 
@@ -28,7 +29,7 @@ QPalette console_palette()
   QPalette p;
   const QColor text(look::text), off(look::off);
   p.setColor(QPalette::Window, QColor(look::ground));
-  p.setColor(QPalette::Base, QColor(0xff15181c));
+  p.setColor(QPalette::Base, QColor(look::field));
   p.setColor(QPalette::AlternateBase, QColor(look::tile));
   p.setColor(QPalette::Button, QColor(look::groove));
   p.setColor(QPalette::Highlight, QColor(look::accent));
@@ -97,6 +98,30 @@ QCheckBox* make_check(const QString& text, const QString& name, QWidget* parent)
   p.setColor(QPalette::Base, QColor(0xff56606c));  // the box is to be seen on the dark ground
   check->setPalette(p);
   return check;
+}
+
+void show_edited(QWidget* widget, bool edited)
+{
+  QFont font = widget->font();
+  font.setBold(edited);
+  widget->setFont(font);
+  QPalette p = widget->palette();
+  p.setColor(QPalette::Base, QColor(edited ? look::edited : look::field));
+  widget->setPalette(p);
+  widget->setAccessibleDescription(edited ? "edited" : "");
+}
+
+void ask(QWidget* parent, const QString& name, const QString& question, const QString& yes, const std::function<void()>& act)
+{
+  auto* box = new QMessageBox(QMessageBox::Question, yes, question, QMessageBox::Cancel, parent);
+  box->setAccessibleName(name);
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  box->setTextFormat(Qt::PlainText);
+  QPushButton* button = box->addButton(yes, QMessageBox::DestructiveRole);
+  button->setAccessibleName(name + " yes");
+  box->setDefaultButton(QMessageBox::Cancel);
+  QObject::connect(button, &QPushButton::clicked, parent, act);
+  box->open();
 }
 
 void tell(QLabel* label, const QString& text)

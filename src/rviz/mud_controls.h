@@ -14,7 +14,8 @@ public:
   void show_news(const News& news) override;
 
 private:
-  void set_flow(double flow);
+  void apply() override;
+  void send(double flow);
 
   UnitBox* flow_;
   QLabel* in_force_;

@@ -43,7 +43,8 @@ SnapshotControls::SnapshotControls(RigLink& link, QWidget* parent) : Controls("S
   connect(&link, &RigLink::states, this, &SnapshotControls::take_states);
   connect(save_button, &QPushButton::clicked, this, &SnapshotControls::save);
   connect(restore_button, &QPushButton::clicked, this, &SnapshotControls::restore);
-  connect(delete_button, &QPushButton::clicked, this, &SnapshotControls::forget);
+  connect(delete_button, &QPushButton::clicked, this,
+          [this] { ask(this, "snapshot delete question", "Delete the snapshot " + name_->currentText().trimmed() + "?", "Delete", [this] { forget(); }); });
 }
 
 std::string SnapshotControls::name() const { return name_->currentText().trimmed().toStdString(); }

@@ -16,7 +16,7 @@ public:
   void show_news(const News& news) override;
 
 private:
-  void apply();
+  void apply() override;
 
   UnitBox *toolface_, *ratio_;
   QLabel* in_force_;

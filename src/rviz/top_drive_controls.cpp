@@ -48,17 +48,21 @@ TopDriveControls::TopDriveControls(RigLink& link, QWidget* parent)
 {
   mode_->setAccessibleName("top drive mode");
   for (const TopDriveModeTraits& mode : top_drive_modes) mode_->addItem(mode.label);
-  speed_ = add_box("top drive speed", Dimension::rotation, -1e3, 1e3, 0.0);
-  torque_ = add_box("top drive torque", Dimension::torque, -1e6, 1e6, 0.0);
-  angle_ = add_box("top drive angle", Dimension::angle, -1e6, 1e6, 0.0);
-  right_ = add_box("top drive amplitude right", Dimension::angle, 0.0, 1e4, turn);
-  left_ = add_box("top drive amplitude left", Dimension::angle, 0.0, 1e4, turn);
-  limit_ = add_box("top drive torque limit", Dimension::torque, 0.0, 1e6, 0.0);
+  speed_ = add_set_point("top drive speed", Dimension::rotation, -1e3, 1e3, 0.0);
+  torque_ = add_set_point("top drive torque", Dimension::torque, -1e6, 1e6, 0.0);
+  angle_ = add_set_point("top drive angle", Dimension::angle, -1e6, 1e6, 0.0);
+  right_ = add_set_point("top drive amplitude right", Dimension::angle, 0.0, 1e4, turn);
+  left_ = add_set_point("top drive amplitude left", Dimension::angle, 0.0, 1e4, turn);
+  limit_ = add_set_point("top drive torque limit", Dimension::torque, 0.0, 1e6, 0.0);
   limit_->setSpecialValueText("the rig's");
   speed_->setToolTip("In angle and oscillate the largest on the way; 0: 10 rpm");
   brake_->setToolTip("Sets the brake and takes the motor off, whatever the mode");
   here_->setToolTip("Take the angle that the drive has now");
   place();
+  watch_keys(mode_);
+  watch_keys(brake_);
+  connect(mode_, QOverload<int>::of(&QComboBox::activated), this, [this] { mark_mode(true); });
+  connect(brake_, &QCheckBox::clicked, this, [this] { mark_brake(true); });
   connect(mode_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &TopDriveControls::follow_mode);
   connect(here_, &QPushButton::clicked, this, &TopDriveControls::take_angle);
   follow_mode();
@@ -118,23 +122,69 @@ void TopDriveControls::apply()
   if (row.amplitudes) command.amplitude_left = left_->si();
   command.torque_limit = limit_->si();
   command.brake = brake_->isChecked();
-  link().command(command);
+  if (link().command(command)) settle();
+}
+
+void TopDriveControls::take_back()
+{
+  Controls::take_back();
+  mark_mode(false);
+  mark_brake(false);
+}
+
+void TopDriveControls::mark_mode(bool edited)
+{
+  if (edited == mode_edited_) return;
+  mode_edited_ = edited;
+  show_edited(mode_, edited);
+}
+
+void TopDriveControls::mark_brake(bool edited)
+{
+  if (edited == brake_edited_) return;
+  brake_edited_ = edited;
+  show_edited(brake_, edited);
 }
 
 void TopDriveControls::stop()
 {
   TopDriveCommand command;
   command.mode = TopDriveCommand::SPEED;
-  command.torque_limit = limit_->si();
-  link().command(command);
+  command.torque_limit = limit_in_force_;
+  if (!link().command(command)) return;
+  settle();
+  mode_->setCurrentIndex(command.mode);  // after Stop, Apply must not send the set points of before
+  speed_->set_si(command.speed);
+  brake_->setChecked(command.brake != 0);
 }
 
-void TopDriveControls::take_angle() { angle_->set_si(angle_now_); }
+void TopDriveControls::take_angle()
+{
+  angle_->set_si(angle_now_);
+  angle_->begin_edit();
+}
+
+void TopDriveControls::follow(const RigState& state)
+{
+  const TopDriveCommand& c = state.top_drive;
+  if (c.mode >= top_drive_mode_count) return;
+  const Needs row(c.mode);
+  if (!mode_edited_ && mode_->currentIndex() != c.mode) mode_->setCurrentIndex(c.mode);
+  if (!brake_edited_) brake_->setChecked(c.brake != 0);
+  speed_->follow(row.speed ? c.speed : state.top_drive_speed);
+  torque_->follow(row.torque ? c.torque : state.torque);
+  angle_->follow(row.angle ? c.angle : state.top_drive_angle);
+  if (row.amplitudes) right_->follow(c.amplitude_right);
+  if (row.amplitudes) left_->follow(c.amplitude_left);
+  limit_->follow(c.torque_limit);
+}
 
 void TopDriveControls::show_news(const News& news)
 {
   if (!news.state) return tell(in_force_, "in force: -");
   angle_now_ = news.state->top_drive_angle;
+  limit_in_force_ = news.state->top_drive.torque_limit;
+  if (follows()) follow(*news.state);
   tell(in_force_, "in force: " + text_of(news.state->top_drive, units()) + (news.state->top_drive_brake_set != 0 ? ", brake set" : ""));
 }
 

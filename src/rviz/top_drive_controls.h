@@ -9,7 +9,7 @@ class QPushButton;
 
 namespace drill_rig_sim::console
 {
-/// All modes of the top drive with the numbers that each needs.
+/// All modes of the top drive with the numbers that each needs. A number that the mode in force does not use follows the reading.
 class TopDriveControls : public Controls
 {
   Q_OBJECT
@@ -20,8 +20,12 @@ public:
 private:
   void place();
   void follow_mode();
-  void apply();
+  void apply() override;
+  void take_back() override;
   void stop();
+  void follow(const RigState& state);
+  void mark_mode(bool edited);
+  void mark_brake(bool edited);
   void take_angle();
 
   QComboBox* mode_;
@@ -29,7 +33,8 @@ private:
   QCheckBox* brake_;
   QPushButton* here_;
   QLabel* in_force_;
-  double angle_now_ = 0.0;  // [rad]
+  double angle_now_ = 0.0, limit_in_force_ = 0.0;  // [rad], [N m]
+  bool mode_edited_ = false, brake_edited_ = false;
 };
 
 }  // namespace drill_rig_sim::console

@@ -1,5 +1,6 @@
 #include "unit_box.h"
 
+#include <QLineEdit>
 #include <cmath>
 
 #include "look.h"
@@ -14,6 +15,7 @@ UnitBox::UnitBox(const QString& name, Dimension dimension, double least, double 
   setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
   setMinimumWidth(84);
   lay_out(value);
+  connect(lineEdit(), &QLineEdit::textEdited, this, [this] { mark(true); });
 }
 
 void UnitBox::lay_out(double value)
@@ -53,6 +55,31 @@ void UnitBox::set_si(double value)
   setValue(to_shown(value, dimension_, system_));
   kept_ = value;
   kept_shown_ = this->value();
+}
+
+void UnitBox::follow(double in_force)
+{
+  follows_ = true;
+  if (!edited_ && in_force != si()) set_si(in_force);
+}
+
+void UnitBox::end_edit()
+{
+  interpretText();
+  mark(false);
+}
+
+void UnitBox::stepBy(int steps)
+{
+  QDoubleSpinBox::stepBy(steps);
+  mark(true);
+}
+
+void UnitBox::mark(bool edited)
+{
+  if (!follows_ || edited == edited_) return;
+  edited_ = edited;
+  show_edited(this, edited);
 }
 
 }  // namespace drill_rig_sim::console

@@ -19,8 +19,17 @@ public:
   void set_dimension(Dimension dimension);
   double si() const;
   void set_si(double value);
+  /// Shows the set point in force [SI], unless a user has edited the number. An edited number is bold on a blue ground, and described as "edited".
+  void follow(double in_force);
+  bool is_edited() const { return edited_; }
+  /// The number shown is the user's now.
+  void begin_edit() { mark(true); }
+  /// The edit is over, because it was sent or is taken back: from now on the box follows again.
+  void end_edit();
+  void stepBy(int steps) override;
 
 private:
+  void mark(bool edited);
   void lay_out(double value);
 
   Dimension dimension_;
@@ -28,6 +37,7 @@ private:
   double least_, most_;
   double kept_;          // what was set in SI, until another is typed [SI]
   double kept_shown_ = 0.0;
+  bool follows_ = false, edited_ = false;
 };
 
 }  // namespace drill_rig_sim::console

@@ -1,5 +1,7 @@
 #include "well_controls.h"
 
+#include <ros/package.h>
+
 #include <QFileDialog>
 #include <QGridLayout>
 #include <QLabel>
@@ -17,12 +19,14 @@ namespace
 constexpr double deepest = 20000.0;   // [m]
 constexpr double patience = 120.0;    // until a new string hangs at rest [s]
 
-QFileDialog* ask_for_file(QWidget* parent, const QString& title, const QString& name, const QString& filter)
+/// `folder`: of the package, where such files are.
+QFileDialog* ask_for_file(QWidget* parent, const QString& title, const QString& name, const QString& filter, const std::string& folder)
 {
   auto* dialog = new QFileDialog(parent, title);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setAccessibleName(name);
   dialog->setOption(QFileDialog::DontUseNativeDialog);
+  dialog->setDirectory(QString::fromStdString(ros::package::getPath("drill_rig_sim") + folder));
   dialog->setFileMode(QFileDialog::ExistingFile);
   dialog->setNameFilter(filter);
   return dialog;
@@ -55,18 +59,19 @@ WellControls::WellControls(RigLink& link, QWidget* parent)
   grid().setColumnStretch(1, 1);
   grid().setColumnStretch(2, 1);
   answer_->setWordWrap(true);
-  answer_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-  answer_->setFixedHeight(2 * answer_->fontMetrics().lineSpacing());
+  answer_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Minimum);  // as tall as a refusal needs
+  answer_->setMinimumHeight(2 * answer_->fontMetrics().lineSpacing());
   answer_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
   connect(browse, &QPushButton::clicked, this, &WellControls::ask_for_scene);
-  connect(reset_button, &QPushButton::clicked, this, &WellControls::reset);
+  connect(reset_button, &QPushButton::clicked, this,
+          [this] { ask(this, "well reset question", "Reset the well? The present run is lost, unless a snapshot holds it.", "Reset", [this] { reset(); }); });
   connect(load, &QPushButton::clicked, this, &WellControls::ask_for_survey);
   connect(&link, &RigLink::said, this, &WellControls::take_answer);
 }
 
 void WellControls::ask_for_scene()
 {
-  QFileDialog* dialog = ask_for_file(this, "Scene", "scene file dialog", "Scenes (*.yaml)");
+  QFileDialog* dialog = ask_for_file(this, "Scene", "scene file dialog", "Scenes (*.yaml)", "/config/scenes");
   connect(dialog, &QFileDialog::fileSelected, scene_, &QLineEdit::setText);
   dialog->open();
 }
@@ -82,7 +87,7 @@ void WellControls::reset()
 
 void WellControls::ask_for_survey()
 {
-  QFileDialog* dialog = ask_for_file(this, "Survey", "survey file dialog", "Surveys (*.csv *.txt *.xml);;All files (*)");
+  QFileDialog* dialog = ask_for_file(this, "Survey", "survey file dialog", "Surveys (*.csv *.txt *.xml);;All files (*)", "/config/surveys");
   connect(dialog, &QFileDialog::fileSelected, this, &WellControls::load_survey);
   dialog->open();
 }

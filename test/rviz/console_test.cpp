@@ -120,6 +120,14 @@ void Console::click(const QString& name)
   QTest::mouseClick(get(name), Qt::LeftButton);
 }
 
+void Console::click_and_agree(const QString& name, const QString& question)
+{
+  click(name);
+  QWidget* yes = get(question + " yes");
+  wait_until([&] { return yes->isVisible(); });
+  QTest::mouseClick(yes, Qt::LeftButton);
+}
+
 void Console::type(const QString& name, const QString& text)
 {
   open_page_of(name);

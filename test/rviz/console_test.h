@@ -70,9 +70,11 @@ public:
   QString shows(const QString& name) const { return get(name)->accessibleDescription(); }
   /// Clicks a button of any page as a user does: its page is opened first.
   void click(const QString& name);
-  /// Types a number into a spin box.
+  /// Types a number into a spin box, then Enter; a set point is applied by that.
   void type(const QString& name, const QString& text);
   void choose(const QString& name, const QString& text);
+  /// Clicks a button that asks first, and agrees: `question` is the dialog's name.
+  void click_and_agree(const QString& name, const QString& question);
   /// Opens the page with this widget.
   void open_page_of(const QString& name);
   void open_page(int index) { tabs()->setCurrentIndex(index); }

@@ -43,9 +43,11 @@ TEST(Life, SaysWhoIsNotThereAndRefusesCommands)
                                                                               {"pipe tare", "tare"},
                                                                               {"slips set", "set_slips"},
                                                                               {"connection add", "make_connection"},
-                                                                              {"well reset", "reset_well"},
                                                                               {"fault begin", "inject_fault"}})
     EXPECT_TRUE(console.asks(button, what + ": not sent: no simulator at /nobody_home"));
+  console.forget_answer();
+  console.click_and_agree("well reset", "well reset question");
+  EXPECT_TRUE(console.answers("reset_well: not sent: no simulator at /nobody_home"));
   console.open_page_of("winch raise");
   console.forget_answer();
   QTest::mousePress(console.get("winch raise"), Qt::LeftButton);
@@ -67,7 +69,7 @@ TEST(Life, TheNodeIsKilledAndComesBack)
   console.open_page(0);
   EXPECT_TRUE(wait_until([&] { return !console.shows("gauge hook_load").contains("stale"); }));
   ASSERT_TRUE(console.is_heard());
-  console.click("mud pump apply");
+  console.type("mud pump flow", "1200");
   EXPECT_TRUE(wait_until([&] { return console.shows("gauge azimuth").contains("deg"); })) << "telemetry comes again too";
   rig->end(SIGINT);
   EXPECT_TRUE(console.is_in_state("ABSENT"));

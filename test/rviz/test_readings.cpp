@@ -29,9 +29,7 @@ void drill(Console& console)
   ASSERT_TRUE(console.is_heard());
   console.choose("top drive mode", "speed");
   console.type("top drive speed", "90");
-  console.click("top drive apply");
   console.type("mud pump flow", "1200");
-  console.click("mud pump apply");
   console.type("winch speed", "0.02");
   ASSERT_TRUE(wait_until([&] { return number(console.shows("gauge top_drive_speed")) > 80.0; }));
   ASSERT_TRUE(console.asks("pipe tare", "tare: "));
