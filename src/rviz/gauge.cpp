@@ -13,6 +13,7 @@ namespace drill_rig_sim::console
 namespace
 {
 constexpr int margin = 6, least_width = 150, least_height = 36, truth_height = 12, bar_height = 5;
+constexpr double over_pull = -2e3;  // surface weight on bit below which the string is pulled, as on the page of drill web [N]
 
 bool same(const Limits& a, const Limits& b)
 {
@@ -58,10 +59,12 @@ void Gauge::forget()
 
 bool Gauge::is_filled() const { return std::isfinite(value_); }
 
+bool Gauge::is_pulled() const { return row_.quantity == Quantity::surface_wob && value_ < over_pull; }
+
 QString Gauge::state_text() const
 {
   if (!is_filled()) return why_;
-  QString text = shown_text(value_, row_.dimension, system_);
+  QString text = shown_text(is_pulled() ? -value_ : value_, row_.dimension, system_);
   if (lost_) text += " drop-out";
   return text;
 }
@@ -83,10 +86,11 @@ void Gauge::show_value(double value, const char* why, bool lost, bool stale, con
   limits_ = limits;
   scale_ = scale;
   level_ = level_of(value, limits_);
+  if (is_pulled()) level_ = std::max(level_, Level::caution);
   const QString text = state_text();
   const int bar = is_filled() ? static_cast<int>(std::lround(place(value, rect()))) : -1;
   const char* const words[] = {"", " caution", " alarm"};
-  const QString description = text + (shows_error() ? " " + error_text_ : QString()) + words[static_cast<int>(level_)] + (stale_ ? " stale" : "");
+  const QString description = QString(is_pulled() ? "over-pull " : "") + text + (shows_error() ? " " + error_text_ : QString()) + words[static_cast<int>(level_)] + (stale_ ? " stale" : "");
   if (description != accessibleDescription()) setAccessibleDescription(description);
   differs = differs || text != text_ || bar != bar_;
   text_ = text;
@@ -100,6 +104,15 @@ void Gauge::set_error(double error)
   const QString text = QString::fromStdString(error_text(error, row_.dimension, system_));
   if (text == error_text_) return;
   error_text_ = text;
+  update();
+}
+
+void Gauge::set_mark(double value, const QString& meaning)
+{
+  const bool same_place = value == mark_ || (std::isnan(value) && std::isnan(mark_));
+  if (same_place) return;
+  mark_ = value;
+  setToolTip(QStringLiteral("%1: %2").arg(row_.label, row_.source) + (std::isfinite(mark_) ? "; mark below the bar: " + meaning : QString()));
   update();
 }
 
@@ -126,8 +139,10 @@ void Gauge::paint_texts(QPainter& painter, const QRect& area)
   small.setPixelSize(std::clamp(tall / 2, 11, 16));
   painter.setFont(small);
   painter.setPen(QColor(look::faint));
-  const int label_width = painter.fontMetrics().horizontalAdvance(row_.label);
-  painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter, row_.label);
+  QString label = is_pulled() ? QString("Over-pull") : QString(row_.label);
+  if (is_filled() && !stale_ && level_ != Level::normal) label.prepend(QString::fromUtf8(level_ == Level::alarm ? "▲ " : "△ "));
+  const int label_width = painter.fontMetrics().horizontalAdvance(label);
+  painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter, label);
   QRect room = line.adjusted(label_width + 6, 0, 0, 0);
   if (shows_error())
   {
@@ -174,6 +189,14 @@ void Gauge::paint_bar(QPainter& painter, const QRect& area)
   const QColor color = stale_ ? QColor(look::off) : color_of(level_);
   painter.fillRect(QRectF(std::min(zero, here), area.top(), std::max(std::abs(here - zero), 1.0), area.height()), color);
   painter.fillRect(QRectF(std::clamp(here - 1.0, double(area.left()), area.right() - 1.0), area.top() - 2, 3, area.height() + 4), QColor(look::text));
+  if (std::isfinite(mark_))
+  {
+    const double at = place(mark_, area);
+    painter.setBrush(QColor(look::text));
+    painter.setPen(Qt::NoPen);
+    const QPointF mark[] = {{at, area.bottom() + 0.5}, {at - 4.0, area.bottom() + 5.0}, {at + 4.0, area.bottom() + 5.0}};
+    painter.drawPolygon(mark, 3);
+  }
   if (shows_truth_ && std::isfinite(truth_)) painter.fillRect(QRectF(place(truth_, area) - 0.5, area.top() - 2, 1, area.height() + 4), QColor(look::accent));
 }
 

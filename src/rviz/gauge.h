@@ -9,7 +9,7 @@
 namespace drill_rig_sim::console
 {
 /// One value: its number large with its measured error small behind it, a bar with zones of caution and alarm below it, and the truth as a faint
-/// line if asked for.
+/// line if asked for. A caution has the sign "△" before its name, an alarm "▲". A negative weight on bit is shown as over-pull.
 /// Its accessible name is "KIND KEY", its accessible description what it shows.
 class Gauge : public QWidget
 {
@@ -28,6 +28,8 @@ public:
   void set_error(double error);
   /// The truth; NaN: unknown.
   void set_truth(double value);
+  /// A mark below the bar, with what it means; NaN: none.
+  void set_mark(double value, const QString& meaning);
   Level level() const { return level_; }
   bool is_filled() const;
   /// Forgets which values its scale has seen.
@@ -42,6 +44,8 @@ protected:
 
 private:
   QString state_text() const;
+  /// Surface weight on bit far below 0: the string is pulled, and the gauge shows the over-pull.
+  bool is_pulled() const;
   bool shows_error() const { return is_filled() && !error_text_.isEmpty(); }
   void paint_texts(QPainter& painter, const QRect& area);
   void paint_bar(QPainter& painter, const QRect& area);
@@ -49,7 +53,7 @@ private:
 
   const QuantityRow& row_;
   UnitSystem system_ = UnitSystem::si;
-  double value_ = missing, error_ = missing, truth_ = missing, least_ = missing, most_ = missing;
+  double value_ = missing, error_ = missing, truth_ = missing, mark_ = missing, least_ = missing, most_ = missing;
   const char* why_ = "no reading";
   bool lost_ = false, stale_ = true, shows_truth_ = false;
   Limits limits_;

@@ -80,9 +80,12 @@ void GaugePage::show_truth(bool on)
 void GaugePage::show_news(const News& news, const Values& readings, const Values& truth, const OwnAlarms& own, bool stale)
 {
   const RigAbilities rig = news.limits ? abilities_of(*news.limits) : RigAbilities();
+  const bool zeroed = news.state && news.state->tared != 0 && news.state->in_slips == 0;
+  const double free_weight = zeroed ? news.state->hook_load + news.state->surface_wob : missing;
   for (Gauge* gauge : all_)
   {
     const std::size_t n = index_of(gauge->quantity());
+    if (gauge->quantity() == Quantity::hook_load) gauge->set_mark(free_weight, "hook load when WOB was zeroed");
     gauge->set_truth(truth.value[n]);
     gauge->set_error(readings.error[n]);
     gauge->show_value(readings.value[n], readings.why[n], readings.lost[n], stale, limits_of(gauge->quantity(), rig, own));

@@ -18,6 +18,8 @@ constexpr std::pair<const char*, Quantity> outputs[] = {
     {"stand_pipe_pressure", Quantity::stand_pipe_pressure},
 };
 
+constexpr double near_bottom = 0.1;  // of the hole: the bit counts as on bottom [m]
+
 void take(Values& values, const char* key, double value) { values.set(quantity_of(key), value); }
 
 /// The numbers that RigState and RigTruth have in common.
@@ -26,7 +28,7 @@ void take_fields(Values& values, const Message& m)
 {
 #define BOTH(type, name, ...) \
   if constexpr (std::is_same_v<type, double>) take(values, #name, m.name);
-#define ZEROED(type, name, ...) m.tared != 0 ? take(values, #name, m.name) : values.lack(Quantity::name, "not tared");
+#define ZEROED(type, name, ...) m.tared != 0 ? take(values, #name, m.name) : values.lack(Quantity::name, "not zeroed");
 #include "drill_rig_sim/scene/signal_list.h"
 }
 
@@ -78,16 +80,26 @@ void take_energy(Values& values, double weight, double torque, double speed, dou
 
 Values readings_of(const News& news, double bit_diameter)
 {
+  if (news.state) return readings_of(news, *news.state, bit_diameter);
   Values values;
   take_telemetry(values, news);
-  if (!news.state) return values;
-  const RigState& s = *news.state;
+  return values;
+}
+
+Values readings_of(const News& news, const RigState& s, double bit_diameter)
+{
+  Values values;
+  take_telemetry(values, news);
   take_fields(values, s);
   if (news.accuracy) take_errors(values, *news.accuracy);
-  if (s.tared)
-    take_energy(values, s.surface_wob, s.torque, s.top_drive_speed, s.rop, bit_diameter);
+  if (s.in_slips)
+    for (const Quantity quantity : {Quantity::surface_wob, Quantity::differential_pressure, Quantity::specific_energy}) values.lack(quantity, "in slips");
+  else if (!s.tared)
+    values.lack(Quantity::specific_energy, "not zeroed");
+  else if (!drills(s) || !(s.surface_wob > 0.0))
+    values.lack(Quantity::specific_energy, "not drilling");
   else
-    values.lack(Quantity::specific_energy, "not tared");
+    take_energy(values, s.surface_wob, s.torque, s.top_drive_speed, s.rop, bit_diameter);
   for (std::size_t n = 0; n < failing_gauges().size(); ++n)
     if ((s.lost_gauges >> n & 1u) != 0) values.lost.set(index_of(failing_gauges()[n]));
   return values;
@@ -135,6 +147,11 @@ Flags flags_of(const RigState& state, const RigTruth* truth)
   if (truth != nullptr) take(flags, #name, truth->name != 0);
 #include "drill_rig_sim/scene/signal_list.h"
   return flags;
+}
+
+bool drills(const RigState& state)
+{
+  return state.in_slips == 0 && state.bit_depth > state.hole_depth - near_bottom && state.rop > least_rop;
 }
 
 RunState run_state_of(const RigState& state)

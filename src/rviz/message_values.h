@@ -44,13 +44,17 @@ struct News
   Diagnosis diagnosis;
 };
 
-/// The readings, and the errors of the simulation where they are measured; `bit_diameter` [m], 0: not known.
+/// The readings of one rig_state with the rest of the news. In the slips there is no weight on bit and no differential pressure.
+Values readings_of(const News& news, const RigState& state, double bit_diameter);
+/// The latest readings, and the errors of the simulation where they are measured; `bit_diameter` [m], 0: not known.
 Values readings_of(const News& news, double bit_diameter);
 /// The truth, as far as it is subscribed to.
 Values truth_of(const News& news, double bit_diameter);
 RigAbilities abilities_of(const RigLimits& limits);
 /// `truth`: for what no rig can sense; null: those flags are down.
 Flags flags_of(const RigState& state, const RigTruth* truth);
+/// Whether the bit drills by the readings: near bottom, in no slips, with a rate of penetration.
+bool drills(const RigState& state);
 RunState run_state_of(const RigState& state);
 /// Why the simulation may be wrong, and what else it says of itself: lines, none where all is well.
 std::vector<std::string> remarks_of(const Diagnosis& diagnosis);

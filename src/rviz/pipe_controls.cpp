@@ -16,12 +16,12 @@ namespace drill_rig_sim::console
 PipeControls::PipeControls(RigLink& link, QWidget* parent)
     : Controls("Slips and connection", link, parent), joints_(new QSpinBox(this)), in_force_(make_reading("pipe state", this))
 {
-  QPushButton* tare = make_button("Tare", "pipe tare", this);
+  QPushButton* tare = make_button("Zero WOB", "pipe tare", this);
   QPushButton* set = make_button("Set slips", "slips set", this);
   QPushButton* pull = make_button("Pull slips", "slips pull", this);
   QPushButton* add = make_button("Add", "connection add", this);
   QPushButton* remove = make_button("Remove", "connection remove", this);
-  tare->setToolTip("Zero of weight on bit and differential pressure; off bottom only");
+  tare->setToolTip("Zeroes weight on bit and differential pressure; off bottom only");
   joints_->setAccessibleName("connection joints");
   joints_->setRange(0, 100);
   joints_->setSpecialValueText("a stand");
@@ -59,7 +59,7 @@ void PipeControls::show_news(const News& news)
 {
   if (!news.state) return tell(in_force_, "-");
   const RigState& s = *news.state;
-  const QString where = s.in_slips != 0 ? "in slips" : "on the hook", zero = s.tared != 0 ? "tared" : "not tared";
+  const QString where = s.in_slips != 0 ? "in slips" : "on the hook", zero = s.tared != 0 ? "WOB zeroed" : "WOB not zeroed";
   tell(in_force_, QStringLiteral("%1, %2 stands, %3").arg(where).arg(s.stand_count).arg(zero));
 }
 

@@ -90,9 +90,33 @@ TEST(Messages, WithoutATareThereIsNoWeight)
   for (const Quantity q : {Quantity::surface_wob, Quantity::differential_pressure, Quantity::specific_energy})
   {
     EXPECT_TRUE(std::isnan(v[q]));
-    EXPECT_STREQ("not tared", v.why[index_of(q)]);
+    EXPECT_STREQ("not zeroed", v.why[index_of(q)]);
   }
   EXPECT_STREQ("bit size not set", readings_of(with(tared()), 0.0).why[index_of(Quantity::specific_energy)]);
+}
+
+TEST(Messages, InTheSlipsThereIsNoWeight)
+{
+  RigState s = tared();
+  s.in_slips = true;
+  s.differential_pressure = -8e6;
+  const Values v = readings_of(with(s), 0.2159);
+  for (const Quantity q : {Quantity::surface_wob, Quantity::differential_pressure, Quantity::specific_energy})
+  {
+    EXPECT_TRUE(std::isnan(v[q]));
+    EXPECT_STREQ("in slips", v.why[index_of(q)]);
+  }
+  EXPECT_EQ(300e3, v[Quantity::hook_load]);
+}
+
+TEST(Messages, OffBottomThereIsNoSpecificEnergy)
+{
+  RigState s = tared();
+  s.hole_depth = s.bit_depth + 0.5;  // the rate of penetration is a mean of 10 s, and still there
+  EXPECT_STREQ("not drilling", readings_of(with(s), 0.2159).why[index_of(Quantity::specific_energy)]);
+  s = tared();
+  s.surface_wob = -2102e3;
+  EXPECT_STREQ("not drilling", readings_of(with(s), 0.2159).why[index_of(Quantity::specific_energy)]);
 }
 
 TEST(Messages, LostGauges)

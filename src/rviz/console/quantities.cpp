@@ -108,7 +108,7 @@ Quantity quantity_of(const std::string& key)
 
 double specific_energy(double weight, double torque, double speed, double rop, double diameter)
 {
-  if (!(diameter > 0.0) || !(rop > 0.1 / 3600.0)) return missing;
+  if (!(diameter > 0.0) || !(rop > least_rop)) return missing;
   const double area = 0.25 * pi * diameter * diameter;
   return weight / area + torque * speed / (area * rop);
 }

@@ -102,8 +102,10 @@ struct Values
   std::bitset<quantity_count> lost;  // in a drop-out: repeats its last reading
 };
 
+constexpr double least_rop = 5e-5;  // from which on something is drilled: 0.18 m/h, as on the page of drill web [m/s]
+
 /// Mechanical specific energy (Teale 1965), F/A + T w/(A v) [Pa], of weight F [N], torque T [N m], speed w [rad/s], rate of penetration v [m/s] and
-/// the bit's diameter [m]. NaN below 0.1 m/h or without a diameter: nothing is drilled.
+/// the bit's diameter [m]. NaN below 0.18 m/h or without a diameter: nothing is drilled.
 double specific_energy(double weight, double torque, double speed, double rop, double diameter);
 
 /// A number as it is shown, without its unit; "-" where there is none.
