@@ -199,6 +199,7 @@ void DrillersConsole::change_namespace(const QString& name)
   link_->set_namespace(name);
   chart_->interrupt();
   limits_ = nullptr;
+  truth_ = nullptr;
   show_state();
   Q_EMIT configChanged();
 }
@@ -259,10 +260,13 @@ void DrillersConsole::show_news()
   }
   for (Controls* group : controls_)
     if (group->isVisible()) group->show_news(news);
-  const double time = news.state ? news.state->header.stamp.toSec() : 0.0;
-  if (news.state && !stale) chart_->record(time, news.state->hole_depth, readings);
-  const std::vector<std::string> remarks = hears(state_) ? remarks_of(news.diagnosis) : std::vector<std::string>();
-  events_->show_state(time, stale ? nullptr : news.state.get(), stale ? nullptr : news.truth.get(), remarks);
+  const std::vector<RigStateConstPtr> states = link_->take_states();
+  for (const RigStateConstPtr& state : states)
+    chart_->record(state->header.stamp.toSec(), state->hole_depth, readings_of(news, *state, s.bit_diameter));
+  const std::vector<RigTruthConstPtr> truths = link_->take_truths();
+  if (!truths.empty()) truth_ = truths.back();
+  events_->take(states, truths);
+  events_->show_state(stale ? nullptr : news.state.get(), stale ? nullptr : truth_.get(), hears(state_) ? news.diagnosis : Diagnosis());
   tabs_->setTabText(tabs_->indexOf(events_), events_->warnings() > 0 ? QStringLiteral("Events (%1)").arg(events_->warnings()) : QString("Events"));
   header_->show_warning(events_->gravest(), events_->gravest_level());
 }

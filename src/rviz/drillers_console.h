@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "console/link_state.h"
+#include "drill_rig_sim/RigTruth.h"
 #include "settings_page.h"
 
 class QLabel;
@@ -69,6 +70,7 @@ private:
   std::vector<console::Controls*> controls_;
   QLabel* answer_;
   console::LinkState state_ = console::LinkState::hidden;
+  boost::shared_ptr<const RigTruth> truth_;  // the latest
   const void* limits_ = nullptr;  // the last that were shown
   int ticks_ = 0;
 };

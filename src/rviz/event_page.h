@@ -5,26 +5,33 @@
 #include <string>
 #include <vector>
 
+#include "console/alarm_log.h"
+#include "console/connection_log.h"
 #include "message_values.h"
 
+class QLabel;
 class QListWidget;
+class QPushButton;
 
 namespace drill_rig_sim::console
 {
-/// What is the case now (flags, lost gauges, what the simulator says of its accuracy), and a log of what was.
+/// What is the case now (flags, lost gauges) with the alarms that nobody has acknowledged, the accuracy of the simulation in a line of its own, and a
+/// log of flags from and to, operations, connections and answers.
 class EventPage : public QWidget
 {
   Q_OBJECT
 public:
   explicit EventPage(QWidget* parent);
 
-  /// The rig's flags and remarks; what has changed goes to the log. `time`: simulated [s].
-  void show_state(double time, const RigState* state, const RigTruth* truth, const std::vector<std::string>& remarks);
+  /// Takes all messages since the last call, oldest first: into the log. `truth`: for the flags that no rig can sense.
+  void take(const std::vector<RigStateConstPtr>& states, const std::vector<RigTruthConstPtr>& truths);
+  /// Shows the present flags and remarks; null: no reading, or one that is late.
+  void show_state(const RigState* state, const RigTruth* truth, const Diagnosis& diagnosis);
   /// A line of the log.
   void log(const QString& text, Level level);
-  /// How many warnings there are now.
+  /// How many warnings there are now, unacknowledged alarms included.
   int warnings() const { return warnings_; }
-  /// The gravest, "no warnings" where there is none.
+  /// The gravest; "No warnings" where there is none. Accuracy of the simulation comes after all others.
   const QString& gravest() const { return gravest_; }
   Level gravest_level() const { return gravest_level_; }
 
@@ -34,14 +41,19 @@ private:
     QString text;
     Level level;
   };
-  std::vector<Line> lines_of(const RigState* state, const RigTruth* truth, const std::vector<std::string>& remarks) const;
-  void log_flags(const Flags& flags);
+  std::vector<Line> lines_of(const RigState* state, const RigTruth* truth, const Diagnosis& diagnosis) const;
+  void log_alarms(double time, const Flags& flags);
   void log_operation(const RigState& state);
+  void log_connection(const RigState& state);
+  void show_accuracy(const QString& text);
 
   QListWidget *now_, *log_;
+  QLabel* accuracy_;
+  QPushButton* acknowledge_;
   double time_ = 0.0;
-  bool heard_ = false;
-  Flags flags_;
+  Flags truth_flags_;
+  AlarmLog alarms_;
+  ConnectionLog connections_;
   QString operation_, shown_;
   int warnings_ = 0;
   QString gravest_ = "No warnings";

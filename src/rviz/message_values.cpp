@@ -171,12 +171,4 @@ RunState run_state_of(const RigState& state)
   }
 }
 
-std::vector<std::string> remarks_of(const Diagnosis& diagnosis)
-{
-  std::vector<std::string> lines;
-  for (const std::string* text : {&diagnosis.physics, &diagnosis.accuracy, &diagnosis.commands, &diagnosis.time})
-    if (!text->empty()) lines.push_back(*text);
-  return lines;
-}
-
 }  // namespace drill_rig_sim::console

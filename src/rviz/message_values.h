@@ -56,8 +56,6 @@ Flags flags_of(const RigState& state, const RigTruth* truth);
 /// Whether the bit drills by the readings: near bottom, in no slips, with a rate of penetration.
 bool drills(const RigState& state);
 RunState run_state_of(const RigState& state);
-/// Why the simulation may be wrong, and what else it says of itself: lines, none where all is well.
-std::vector<std::string> remarks_of(const Diagnosis& diagnosis);
 
 }  // namespace drill_rig_sim::console
 

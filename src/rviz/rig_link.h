@@ -12,6 +12,7 @@
 #include <memory>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "drill_rig_sim/MudPumpCommand.h"
@@ -38,7 +39,7 @@ public:
   QString used_namespace() const;
   /// All that the master knows.
   static QStringList known_namespaces();
-  /// Whether truth/rig_state and truth/bit are subscribed to.
+  /// Whether truth/bit is subscribed to, and the news hold the truth.
   void set_truth(bool on);
   bool truth() const { return truth_; }
   /// Subscribes; advertises the commands, which then stay.
@@ -49,6 +50,10 @@ public:
   void poll();
 
   const News& news() const { return news_; }
+  /// Every rig_state since the last call, oldest first.
+  std::vector<RigStateConstPtr> take_states() { return std::exchange(taken_, {}); }
+  /// Every truth/rig_state since the last call: its flags that no rig can sense are alarms.
+  std::vector<RigTruthConstPtr> take_truths() { return std::exchange(taken_truths_, {}); }
   LinkState state() const;
   /// Since rig_state last came [s of wall time].
   double age() const;
@@ -110,6 +115,8 @@ private:
   ros::Subscriber states_;
   Outlet winch_, top_drive_, pump_, steering_;
   std::string rig_node_;  // that simulates; empty: not known yet
+  std::vector<RigStateConstPtr> taken_;
+  std::vector<RigTruthConstPtr> taken_truths_;
   News news_;
   Clock::time_point state_heard_, diagnostics_heard_, looked_;
   ServiceCaller caller_;

@@ -138,7 +138,7 @@ TEST_F(Readings, MeasuredErrorsStandBehindTheNumbers)
   EXPECT_TRUE(wait_until([&] { return shows("klbf"); })) << console.shows("gauge hook_load").toStdString();
 }
 
-TEST_F(Readings, TruthIsSubscribedToOnDemandAlone)
+TEST_F(Readings, TruthOfTheBitIsSubscribedToOnDemandAlone)
 {
   Console console;
   ASSERT_TRUE(console.is_in_state("RUNNING"));
@@ -146,7 +146,7 @@ TEST_F(Readings, TruthIsSubscribedToOnDemandAlone)
   {
     ros::V_string topics;
     ros::this_node::getSubscribedTopics(topics);
-    return std::find(topics.begin(), topics.end(), "/" + std::string(shared_name) + "/truth/rig_state") != topics.end();
+    return std::find(topics.begin(), topics.end(), "/" + std::string(shared_name) + "/truth/bit") != topics.end();
   };
   EXPECT_FALSE(listens());
   const int before = console.get("gauge hook_load")->minimumSizeHint().height();
@@ -171,8 +171,9 @@ TEST_F(Readings, WarningsAreAList)
       if (list->item(n)->text().contains(text)) return true;
     return false;
   };
-  EXPECT_TRUE(wait_until([&] { return has("accuracy: "); })) << "the scene's level does not represent all";
-  EXPECT_TRUE(wait_until([&] { return has("numerics."); })) << "why, from the diagnostics";
+  const auto logged = [&](const QString& text) { return !console.get<QListWidget>("event log")->findItems(text, Qt::MatchContains).isEmpty(); };
+  EXPECT_TRUE(wait_until([&] { return console.get("accuracy")->toolTip().contains("numerics."); })) << "why, from the diagnostics";
+  EXPECT_FALSE(has("numerics.")) << "the simulation's accuracy stands apart from the rig's warnings";
   console.click("winch set brake");
   EXPECT_TRUE(wait_until([&] { return has("drawworks brake set"); }));
   console.choose("fault kind", "pump trip");
@@ -180,7 +181,11 @@ TEST_F(Readings, WarningsAreAList)
   EXPECT_TRUE(wait_until([&] { return has("pump tripped"); }));
   EXPECT_TRUE(wait_until([&] { return console.get<QLabel>("gravest warning")->text().contains("pump tripped"); }));
   ASSERT_TRUE(console.asks("fault end", "inject_fault: "));
+  EXPECT_TRUE(wait_until([&] { return has("pump tripped: no flow until a flow of 0 is commanded (over: "); })) << "an alarm stays until it is acknowledged";
+  console.window().grab().save(out_folder() + "/console_latched.png");
+  console.click("alarms acknowledge");
   EXPECT_TRUE(wait_until([&] { return !has("pump tripped"); }));
+  EXPECT_TRUE(wait_until([&] { return logged(" to ") && logged(": pump tripped"); })) << "from and to, once it is over for 10 s";
 }
 
 TEST_F(Readings, APullIsNotShownAsAWeight)

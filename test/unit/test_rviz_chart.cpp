@@ -95,6 +95,26 @@ TEST(ConsoleHistory, APeakIsDrawnHoweverManySamplesAColumnHas)
   EXPECT_EQ(-99.0, least);
 }
 
+TEST(ConsoleHistory, APeakWithinASampleIsDrawn)
+{
+  History h(Axis::time, 100, 0.2);
+  Values values;
+  for (int n = 0; n < 400; ++n)
+  {
+    values.set(Quantity::hook_load, n == 205 ? 900e3 : n == 206 ? 100e3 : 500e3);
+    h.add(0.01 * n, 0.0, values);
+  }
+  double least = 1e9, most = 0.0;
+  for (const Stroke& stroke : h.line(Quantity::hook_load, 0.0, 4.0, 50))
+    for (const ChartPoint& p : stroke)
+    {
+      least = std::min(least, p.y);
+      most = std::max(most, p.y);
+    }
+  EXPECT_EQ(900e3, most);
+  EXPECT_EQ(100e3, least);
+}
+
 TEST(ConsoleHistory, NoLineWhereNothingWasHeard)
 {
   History h = ramp(Axis::time, 50, 1000, 0.2);

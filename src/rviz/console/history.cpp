@@ -48,6 +48,9 @@ void History::add(double time, double depth, const Values& values)
     const double v = values.value[n];
     if (!std::isfinite(v)) continue;
     const bool is_angle = quantities()[n].dimension == Dimension::angle;
+    const bool first = is_angle || number_[n] == 0;
+    least_[n] = first ? v : std::min(least_[n], v);
+    most_[n] = first ? v : std::max(most_[n], v);
     sum_[n] = is_angle ? v : sum_[n] + v;
     number_[n] = is_angle ? 1 : number_[n] + 1;
   }
@@ -56,7 +59,13 @@ void History::add(double time, double depth, const Values& values)
   sample.time = time;
   sample.depth = depth;
   sample.begins = begins_;
-  for (std::size_t n = 0; n < quantity_count; ++n) sample.value[n] = number_[n] > 0 ? sum_[n] / static_cast<double>(number_[n]) : missing;
+  for (std::size_t n = 0; n < quantity_count; ++n)
+  {
+    const bool known = number_[n] > 0;
+    sample.value[n] = known ? sum_[n] / static_cast<double>(number_[n]) : missing;
+    sample.least[n] = known ? least_[n] : missing;
+    sample.most[n] = known ? most_[n] : missing;
+  }
   push(sample);
   begins_ = false;
   since_ = x;
@@ -125,13 +134,15 @@ std::vector<Stroke> History::line(Quantity quantity, double from, double to, std
   for (std::size_t n = begin; n < end; ++n)
   {
     const Sample& sample = (*this)[n];
-    const double y = sample.value[index_of(quantity)], x = place(sample);
+    const std::size_t q = index_of(quantity);
+    const double y = sample.value[q], x = place(sample);
     const bool breaks = sample.begins || !std::isfinite(y);
     const double here = std::floor((x - from) / width);
     if ((breaks || here != last_column) && !strokes.empty()) column.empty_into(strokes.back());
     if (breaks || strokes.empty()) strokes.emplace_back();
     last_column = here;
-    if (std::isfinite(y)) column.take({x, y});
+    if (std::isfinite(y))
+      for (const double peak : {sample.least[q], y, sample.most[q]}) column.take({x, peak});
   }
   if (!strokes.empty()) column.empty_into(strokes.back());
   strokes.erase(std::remove_if(strokes.begin(), strokes.end(), [](const Stroke& s) { return s.empty(); }), strokes.end());

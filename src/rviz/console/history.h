@@ -21,7 +21,7 @@ struct Sample
   double time = 0.0;   // simulated [s]
   double depth = 0.0;  // of the hole [m]
   bool begins = true;  // nothing was heard just before
-  std::array<double, quantity_count> value{};
+  std::array<double, quantity_count> value{}, least{}, most{};  // mean (of an angle the last), smallest and largest of its interval
 };
 
 struct ChartPoint
@@ -33,7 +33,7 @@ struct ChartPoint
 using Stroke = std::vector<ChartPoint>;
 
 /// The last samples of all quantities against time or depth: at most `capacity`, one for each `interval`, the oldest go. A sample is the mean of what
-/// came in its interval, of angles the last: the mean of 359 and 1 deg is none.
+/// came in its interval, of angles the last: the mean of 359 and 1 deg is none. It keeps the smallest and the largest too: the chart draws every peak.
 class History
 {
 public:
@@ -72,7 +72,7 @@ private:
   // of the interval under way
   bool begun_ = false, begins_ = true;
   double since_ = 0.0, last_ = 0.0;
-  std::array<double, quantity_count> sum_{};
+  std::array<double, quantity_count> sum_{}, least_{}, most_{};
   std::array<std::size_t, quantity_count> number_{};
 };
 
