@@ -69,11 +69,16 @@ def draws_pages(pid):
     return False
 
 
-@contextlib.contextmanager
-def hung(browser):
-    """Pages hang for as long as it lasts. The browser may not be asked for anything meanwhile: it would wait."""
+def renderers_of(browser):
+    """Numbers of the processes that draw pages, for hung(): to find them takes long on a loaded machine."""
     renderers = [pid for pid in processes_below(browser.service.process.pid) if draws_pages(pid)]
     assert renderers, "Chromium has no process that draws pages"
+    return renderers
+
+
+@contextlib.contextmanager
+def hung(renderers):
+    """Pages hang for as long as it lasts. The browser may not be asked for anything meanwhile: it would wait."""
     for pid in renderers:
         os.kill(pid, signal.SIGSTOP)
     try:
