@@ -25,8 +25,10 @@ struct DrawnRig
   bool complete() const noexcept { return rig && axis && string && nodes.size() == string->size(); }
   /// The middle of the bit's face as it is drawn. Where complete() alone.
   Eigen::Vector3d bit_face() const;
-  /// Measured depth of the bit's face [m]. Where complete() alone.
+  /// Measured depth of the bit's face [m]. Where there is a string.
   double bit_md() const noexcept { return string->md.front() + string->from_bit.front(); }
+  /// The hole reaches the bit, which may have come here before the hole that it has drilled: straight on, in whole centimetres. Whether it has grown.
+  bool reach_bit();
   /// What stands before frames' names.
   std::string prefix() const;
 };

@@ -181,6 +181,7 @@ void DrillstringDisplay::hear_path(const nav_msgs::Path::ConstPtr& m)
   if (model_.axis && properties_->follow() && (axis.points().back().position - model_.axis->points().back().position).norm() > another_well)
     camera_due_ = true;
   model_.axis = std::move(axis);
+  model_.reach_bit();
   setStatusStd(StatusProperty::Ok, "Well", std::to_string(m->poses.size()) + " places");
   well_due_ = string_due_ = true;
 }
@@ -195,6 +196,7 @@ void DrillstringDisplay::hear(const DrillstringState::ConstPtr& m)
   model_.string = std::move(string);
   model_.floor = m->header.frame_id;
   if (!model_.rig || !model_.axis) return;
+  if (model_.reach_bit()) well_due_ = true;
   string_scene_->take(model_, options_);
   string_due_ = true;
 }
@@ -239,6 +241,7 @@ void DrillstringDisplay::update(float /*wall_dt*/, float /*ros_dt*/)
     choose_detail(*view->getCamera());
     const Ogre::Viewport& port = *view->getCamera()->getViewport();
     const double width = port.getActualWidth(), height = port.getActualHeight();
+    keep_legend_off_bit(*view->getCamera(), width, height);
     ruler_scene_->draw(model_, options_, well_scene_->plan_distance(), probed_, *view->getCamera(),
                        {legend_->area(width, height), probe_panel_->area(width, height)});
   }

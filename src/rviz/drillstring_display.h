@@ -74,6 +74,7 @@ private:
   void show_probe();
   void apply_camera();
   void resolve_exaggeration();
+  void keep_legend_off_bit(const Ogre::Camera& camera, double width, double height);
   void choose_detail(const Ogre::Camera& camera);
   void clear();
 

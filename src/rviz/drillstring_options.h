@@ -21,7 +21,7 @@ struct DrillstringOptions
   bool true_diameter = false;  ///< of the string
   int sides = 10;
   bool coarse = false;  ///< no property: the eye is so far away that tool joints are less than a pixel or two, and few faces are enough
-  double force_scale = 0.0;  ///< of contact forces [m/kN]; 0: automatic
+  double force_scale = 0.0;  ///< of contact forces [m per kN/m]; 0: automatic
   double cased_to = -1.0;    ///< measured depth [m]; below 0: of the last section but one
   WallStyle wall = WallStyle::cut_open;
   bool string = true, blades = true, layers = true, forces = true, plan = true, stations = true, trail = true, ruler = true, parts = true,

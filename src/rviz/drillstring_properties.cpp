@@ -51,7 +51,7 @@ void DrillstringProperties::add_looks(rviz::Property* parent, QObject* receiver)
   sides_ = new rviz::IntProperty("Sides", by_default.sides, "Faces of the string's tube: fewer are drawn faster.", parent, options_changed, receiver);
   sides_->setMin(3);
   sides_->setMax(48);
-  force_scale_ = number("Force scale", by_default.force_scale, 0.0, 1e6, "Length of contact forces' arrows [m/kN]; 0: automatic.", parent, receiver);
+  force_scale_ = number("Force scale", by_default.force_scale, 0.0, 1e6, "Length of contact forces' arrows [m per kN/m]; 0: automatic.", parent, receiver);
   cased_to_ = number("Cased to", by_default.cased_to, -1.0, 20000.0,
                      "Measured depth of the casing shoe [m]; -1: all hole sections but the last are cased, which a scene does not say.", parent, receiver);
   wall_ = new rviz::EnumProperty("Wellbore", "cut open", "The hole's wall.", parent, options_changed, receiver);

@@ -1,4 +1,5 @@
 // What the display tells: statuses, legend, the numbers of a place; and where it puts the camera.
+#include <OgreCamera.h>
 #include <OgreRay.h>
 #include <OgreSceneNode.h>
 #include <ros/console.h>
@@ -93,12 +94,13 @@ void DrillstringDisplay::show_legend()
   legend.rows.emplace_back("across the hole", "x " + QString::number(options_.exaggeration, 'g', 4));
   if (options_.forces)
   {
-    legend.rows.emplace_back("largest force", number(1e-3 * string_scene_->largest_force(), 1, "kN"));
-    if (string_scene_->largest_force() > 1.0) legend.rows.emplace_back("its scale", QString::number(1e3 * string_scene_->force_scale(), 'g', 3) + " m/kN");
+    legend.rows.emplace_back("largest side force", number(1e-3 * string_scene_->largest_force(), 2, "kN/m"));
+    if (string_scene_->largest_force() > 1.0) legend.rows.emplace_back("its scale", QString::number(1e3 * string_scene_->force_scale(), 'g', 3) + " m per kN/m");
   }
   const double age = heard_.isZero() ? 0.0 : (ros::WallTime::now() - heard_).toSec();
   if (age > old_age) legend.rows.emplace_back("no message for", number(age, 0, "s"));
   setStatus(StatusProperty::Ok, "Colours", in_words(legend));
+  setStatus(StatusProperty::Ok, "Legend", in_words("below the colours", legend.rows));
   legend_->show(paint_legend(legend));
 }
 
@@ -147,13 +149,21 @@ void DrillstringDisplay::show_probe()
                      {"torque", number(1e-3 * blend(s.torque, *probed_), 2, "kN m")},
                      {"bending moment", number(1e-3 * blend(s.bending_moment, *probed_), 2, "kN m")},
                      {"bending stress", number(1e-6 * blend(s.bending_stress, *probed_), 1, "MPa")},
-                     {"contact force", number(1e-3 * blend(s.contact_force, *probed_), 2, "kN")},
+                     {"contact force", number(1e-3 * blend(side_force(s), *probed_), 3, "kN/m")},
                      {"its side", s.contact_force[probed_->node] > 0.0 ? number(side, 0, "deg") : QString("-")},
                      {"spin", number(blend(s.spin_speed, *probed_) / 0.10471975511965977, 1, "rpm")},
                      {"buckling", QString::number(blend(s.buckling, *probed_), 'f', 2)},
                      {"modelled", s.guided[probed_->node] ? "guided" : "free"}};
   setStatus(StatusProperty::Ok, "Probe", in_words(name, rows));
   probe_panel_->show(paint_table(name, rows));
+}
+
+void DrillstringDisplay::keep_legend_off_bit(const Ogre::Camera& camera, double width, double height)
+{
+  const Ogre::Vector3 seen = camera.getViewMatrix(true) * scene_node_->convertLocalToWorldPosition(to_ogre(model_.bit_face()));
+  if (seen.z > 0.0f) return;  // behind the eye
+  const Ogre::Vector3 place = camera.getProjectionMatrix() * seen;
+  legend_->avoid(0.5 * width * place.x, 0.5 * height * place.y, width, height);
 }
 
 void DrillstringDisplay::choose_detail(const Ogre::Camera& camera)

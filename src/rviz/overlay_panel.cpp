@@ -14,7 +14,7 @@ namespace drill_rig_sim
 {
 namespace
 {
-constexpr int distance_from_edge = 10;  // [pixels]
+constexpr int distance_from_edge = 10, room = 30;  // [pixels]
 const std::string& group = Ogre::ResourceGroupManager::DEFAULT_RESOURCE_GROUP_NAME;
 }  // namespace
 
@@ -34,8 +34,6 @@ OverlayPanel::OverlayPanel(Corner corner) : corner_(corner)
   pass->createTextureUnitState();
   panel_->setMetricsMode(Ogre::GMM_PIXELS);
   panel_->setMaterial(material_);
-  panel_->setHorizontalAlignment(corner == Corner::top_right ? Ogre::GHA_RIGHT : Ogre::GHA_LEFT);
-  panel_->setVerticalAlignment(corner == Corner::top_right ? Ogre::GVA_TOP : Ogre::GVA_BOTTOM);
   overlay_->add2D(panel_);
   overlay_->setZOrder(200);
 }
@@ -70,10 +68,32 @@ void OverlayPanel::show(const QImage& image)
   const Ogre::HardwarePixelBufferSharedPtr buffer = texture_->getBuffer();
   buffer->blitFromMemory(Ogre::PixelBox(static_cast<unsigned>(width), static_cast<unsigned>(height), 1, Ogre::PF_A8R8G8B8, const_cast<uchar*>(pixels.constBits())));
   panel_->setDimensions(static_cast<float>(width), static_cast<float>(height));
-  const bool right = corner_ == Corner::top_right;
-  panel_->setPosition(right ? -static_cast<float>(width + distance_from_edge) : static_cast<float>(distance_from_edge),
-                      right ? static_cast<float>(distance_from_edge) : -static_cast<float>(height + distance_from_edge));
+  place();
   overlay_->show();
+}
+
+void OverlayPanel::place()
+{
+  const bool right = corner_ == Corner::top_right, top = corner_ != Corner::bottom_left;
+  const float edge = static_cast<float>(distance_from_edge);
+  panel_->setHorizontalAlignment(right ? Ogre::GHA_RIGHT : Ogre::GHA_LEFT);
+  panel_->setVerticalAlignment(top ? Ogre::GVA_TOP : Ogre::GVA_BOTTOM);
+  panel_->setPosition(right ? -panel_->getWidth() - edge : edge, top ? edge : -panel_->getHeight() - edge);
+}
+
+bool OverlayPanel::covers(double x, double y, double view_width, double view_height) const
+{
+  const Ogre::FloatRect a = area(view_width, view_height);
+  return x > a.left - room && x < a.right + room && y > a.bottom - room && y < a.top + room;
+}
+
+void OverlayPanel::avoid(double x, double y, double view_width, double view_height)
+{
+  if (!overlay_->isVisible() || !covers(x, y, view_width, view_height)) return;
+  const Corner before = corner_;
+  corner_ = before == Corner::top_right ? Corner::top_left : Corner::top_right;
+  if (covers(x, y, view_width, view_height)) corner_ = before;
+  place();
 }
 
 void OverlayPanel::hide()
@@ -84,10 +104,10 @@ void OverlayPanel::hide()
 Ogre::FloatRect OverlayPanel::area(double view_width, double view_height) const
 {
   if (!overlay_->isVisible()) return {};
-  const bool right = corner_ == Corner::top_right;
+  const bool right = corner_ == Corner::top_right, top = corner_ != Corner::bottom_left;
   const double width = panel_->getWidth(), height = panel_->getHeight();
   const double left = right ? 0.5 * view_width - distance_from_edge - width : distance_from_edge - 0.5 * view_width;
-  const double bottom = right ? 0.5 * view_height - distance_from_edge - height : distance_from_edge - 0.5 * view_height;
+  const double bottom = top ? 0.5 * view_height - distance_from_edge - height : distance_from_edge - 0.5 * view_height;
   return {static_cast<float>(left), static_cast<float>(bottom + height), static_cast<float>(left + width), static_cast<float>(bottom)};
 }
 

@@ -23,6 +23,7 @@ public:
   enum class Corner
   {
     top_right,
+    top_left,
     bottom_left
   };
 
@@ -34,11 +35,15 @@ public:
   /// Shows the image, or nothing where it is empty.
   void show(const QImage& image);
   void hide();
+  /// Goes to the other corner at the top where it stands within 30 pixels of this place, and there is room. x, y: as in area().
+  void avoid(double x, double y, double view_width, double view_height);
   /// What it covers of a view of this size: from the view's middle, x right, y up [pixels]; nothing while it is hidden.
   Ogre::FloatRect area(double view_width, double view_height) const;
 
 private:
   void make_texture(int width, int height);
+  void place();
+  bool covers(double x, double y, double view_width, double view_height) const;
 
   Corner corner_;
   std::string name_;

@@ -17,7 +17,7 @@ namespace
 {
 constexpr Color force_color{0.95f, 0.25f, 0.95f};
 constexpr int coarse_sides = 5;
-constexpr double least_force = 1.0;  // that has an arrow [N]
+constexpr double least_force = 1.0;  // that has an arrow [N/m]
 constexpr double longest_bit = 3.0;  // how much longer than it is a bit is drawn, so that it looks like one [-]
 
 /// What rounds down to 1, 2 or 5 times a power of ten.
@@ -121,17 +121,18 @@ void StringScene::draw_forces(const DrawnRig& model, const DrillstringOptions& o
 {
   const StringData& s = *model.string;
   mesh_.clear();
-  largest_force_ = *std::max_element(s.contact_force.begin(), s.contact_force.end());
+  const std::vector<double> force = side_force(s);
+  largest_force_ = *std::max_element(force.begin(), force.end());
   const double hole = options.exaggeration * model.rig->hole_radius(model.bit_md());
   force_scale_ = options.force_scale > 0.0 ? 1e-3 * options.force_scale : round_down(6.0 * hole / std::max(largest_force_, 1.0));
   for (std::size_t i = 0; options.forces && i < s.size(); ++i)
   {
-    if (s.contact_force[i] < least_force || s.md[i] < 0.0) continue;
+    if (force[i] < least_force || s.md[i] < 0.0) continue;
     const DrawnNode& node = model.nodes[i];
     const Vector3d off = node.position - node.axis.position;
     const Vector3d out = off.norm() > 1e-9 ? Vector3d(off.normalized()) : node.axis.side;
     const Vector3d wall = node.axis.position + options.exaggeration * model.rig->hole_radius(s.md[i]) * out;
-    add_arrow(mesh_, wall + force_scale_ * s.contact_force[i] * out, wall, 0.06 * hole, force_color,
+    add_arrow(mesh_, wall + force_scale_ * force[i] * out, wall, 0.06 * hole, force_color,
               options.coarse ? 3 : 6);
   }
   shade(mesh_);

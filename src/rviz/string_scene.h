@@ -44,8 +44,8 @@ public:
   void turn(const std::function<std::optional<Ogre::Quaternion>(const std::string&)>& orientation);
 
   ColorScale scale(const DrillstringOptions& options) const;
-  double largest_force() const noexcept { return largest_force_; }  ///< of the wall on a node, drawn last [N]
-  double force_scale() const noexcept { return force_scale_; }      ///< of the arrows drawn last [m/N]
+  double largest_force() const noexcept { return largest_force_; }  ///< of the wall on a metre of the string, drawn last [N/m]
+  double force_scale() const noexcept { return force_scale_; }      ///< of the arrows drawn last [m per N/m]
 
 private:
   struct Turning

@@ -127,17 +127,27 @@ TEST(Written, hasTheDigitsThatTellTicksApart)
   EXPECT_EQ("0.05", written(0.05, 0.05));
 }
 
+TEST(SideForce, isThatOfAMetreHoweverFineTheMesh)
+{
+  StringData d;
+  d.from_bit = {0.0, 1.0, 2.0, 12.0, 22.0};
+  d.position.resize(d.from_bit.size());
+  d.contact_force = {100.0, 200.0, 1100.0, 2000.0, 1000.0};  // 200 N/m
+  for (const double force : side_force(d)) EXPECT_NEAR(200.0, force, 1e-9);
+}
+
 TEST(Coloring, eachIsItsOwnQuantityInItsUnit)
 {
   StringData d;
-  d.position.resize(1);
-  d.tension = {2e3};
-  d.torque = {3e3};
-  d.bending_stress = {4e6};
-  d.contact_force = {5e3};
-  d.spin_speed = {2.0 * M_PI};
-  d.buckling = {0.7};
-  d.guided = {1};
+  d.position.resize(2);
+  d.from_bit = {0.0, 20.0};  // each node stands for 10 m
+  d.tension = {2e3, 0.0};
+  d.torque = {3e3, 0.0};
+  d.bending_stress = {4e6, 0.0};
+  d.contact_force = {50e3, 0.0};
+  d.spin_speed = {2.0 * M_PI, 0.0};
+  d.buckling = {0.7, 0.0};
+  d.guided = {1, 0};
   const std::vector<double> expected{2.0, 3.0, 4.0, 5.0, 60.0, 0.7, 1.0};
   ASSERT_EQ(expected.size(), colorings().size());
   for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR(expected[i], values_of(i, d).front(), 1e-12) << colorings()[i].name;

@@ -44,6 +44,17 @@ TEST(HoleAxis, goesOnStraightBeyondItsEnds)
   EXPECT_NEAR(0.0, (axis.at(axis.depth() + 10.0).position - Vector3d(0.0, 110.0, -100.0)).norm(), 1e-9);
 }
 
+TEST(HoleAxis, isMadeDeeperStraightOn)
+{
+  HoleAxis axis = quarter(100.0, 5.0);
+  const double depth = axis.depth();
+  EXPECT_FALSE(axis.extend_to(depth - 1.0));
+  EXPECT_EQ(depth, axis.depth());
+  EXPECT_TRUE(axis.extend_to(depth + 0.3));
+  EXPECT_NEAR(depth + 0.3, axis.depth(), 1e-12);
+  EXPECT_NEAR(0.0, (axis.points().back().position - Vector3d(0.0, 100.3, -100.0)).norm(), 1e-9);
+}
+
 TEST(HoleAxis, framesAreAcrossItAndDoNotWind)
 {
   const HoleAxis axis = quarter(300.0, 2.0);

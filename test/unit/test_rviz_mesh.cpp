@@ -204,6 +204,8 @@ TEST(PlanDistance, isSquareToThePlanAndEndsWithIt)
   EXPECT_TRUE(off.there);
   EXPECT_NEAR(5.0, off.distance, 1e-12);
   EXPECT_TRUE(distance_to_plan(plan, {3.0, 4.0, -200.5}).there);
+  EXPECT_NEAR(5.0, distance_to_plan(plan, {3.0, 4.0, -200.5}).distance, 1e-9) << "beyond its end only what is across counts";
+  EXPECT_NEAR(0.0, distance_to_plan(plan, {0.0, 0.0, -200.39}).distance, 1e-9);
   EXPECT_FALSE(distance_to_plan(plan, {3.0, 4.0, -230.0}).there);
   EXPECT_FALSE(distance_to_plan({}, Vector3d::Zero()).there);
 }

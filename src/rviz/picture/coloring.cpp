@@ -6,7 +6,7 @@ namespace
 {
 constexpr double rpm = 0.10471975511965977;  // [rad/s]
 
-const std::vector<double>& quantity(std::size_t which, const StringData& data)
+std::vector<double> quantity(std::size_t which, const StringData& data)
 {
   switch (which)
   {
@@ -17,7 +17,7 @@ const std::vector<double>& quantity(std::size_t which, const StringData& data)
     case 2:
       return data.bending_stress;
     case 3:
-      return data.contact_force;
+      return side_force(data);
     case 4:
       return data.spin_speed;
     default:
@@ -31,7 +31,7 @@ const std::vector<Coloring>& colorings()
   static const std::vector<Coloring> all{{"tension", "kN", 1e3, 1.0, 0.0, false},
                                          {"torque", "kN m", 1e3, 1.0, 0.0, false},
                                          {"bending stress", "MPa", 1e6, 0.98, 0.0, false},
-                                         {"contact force", "kN", 1e3, 0.95, 0.0, false},
+                                         {"contact force", "kN/m", 1e3, 0.95, 0.0, false},
                                          {"spin speed", "rpm", rpm, 1.0, 0.0, false},
                                          {"buckling factor", "1: buckles", 1.0, 1.0, 1.0, false},
                                          {"level of model", "", 1.0, 1.0, 1.0, true}};

@@ -62,6 +62,13 @@ HoleAxis::HoleAxis(const std::vector<Vector3d>& points, const std::vector<Vector
   if (points_.empty()) points_.resize(1);
 }
 
+bool HoleAxis::extend_to(double md)
+{
+  if (!(md > depth())) return false;
+  points_.push_back(at(md));
+  return true;
+}
+
 AxisPoint HoleAxis::at(double md) const noexcept
 {
   const AxisPoint &first = points_.front(), &last = points_.back();

@@ -27,6 +27,8 @@ public:
   /// `points`: top down, at least one; points less than 1 mm from the one before are left out. `tangents`: as many, of any length but 0.
   HoleAxis(const std::vector<Eigen::Vector3d>& points, const std::vector<Eigen::Vector3d>& tangents);
 
+  /// Goes on straight to this measured depth [m]; false where it is that deep already.
+  bool extend_to(double md);
   double depth() const noexcept { return points_.back().md; }
   const std::vector<AxisPoint>& points() const noexcept { return points_; }
   AxisPoint at(double md) const noexcept;

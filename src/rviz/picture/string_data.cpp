@@ -43,6 +43,17 @@ std::string problem_of(const StringData& d)
   return {};
 }
 
+std::vector<double> side_force(const StringData& d)
+{
+  std::vector<double> result(d.size());
+  for (std::size_t i = 0; i < d.size(); ++i)
+  {
+    const double below = d.from_bit[i > 0 ? i - 1 : i], above = d.from_bit[std::min(i + 1, d.size() - 1)];
+    result[i] = d.contact_force[i] / (0.5 * (above - below));
+  }
+  return result;
+}
+
 double RigData::hole_radius(double md) const noexcept
 {
   if (section_radius.empty()) return 0.1;

@@ -21,6 +21,9 @@ struct StringData
 /// the string. Empty where they can.
 std::string problem_of(const StringData& data);
 
+/// Contact force of each node over the length of string that it stands for, half of the way to each neighbour [N/m]. As problem_of() has passed it.
+std::vector<double> side_force(const StringData& data);
+
 enum class PartKind : std::uint8_t
 {
   bit,

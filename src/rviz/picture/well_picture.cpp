@@ -14,6 +14,7 @@ constexpr Color casing{0.50f, 0.56f, 0.62f}, line{0.80f, 0.76f, 0.68f};
 constexpr std::array<Color, 6> rock{{{0.58f, 0.42f, 0.27f}, {0.46f, 0.45f, 0.42f}, {0.62f, 0.53f, 0.26f}, {0.52f, 0.31f, 0.25f}, {0.42f, 0.45f, 0.30f},
                                      {0.36f, 0.42f, 0.49f}}};
 constexpr float band_opacity = 0.30f;
+constexpr double beyond_end = 1.0;  // of a plan, which goes on straight for so long [m]
 
 /// Places of the wall's rings, top down: evenly, and just above and below where something changes.
 std::vector<double> ring_depths(const HoleAxis& axis, const RigData& rig, double shoe, double spacing)
@@ -104,12 +105,13 @@ PlanDistance distance_to_plan(const std::vector<Vector3d>& plan, const Vector3d&
   {
     const Vector3d way = plan[i + 1] - plan[i];
     const double length = way.squaredNorm(), place = length > 0.0 ? (bottom - plan[i]).dot(way) / length : 0.0;
-    const Vector3d foot = plan[i] + std::clamp(place, 0.0, 1.0) * way;
+    const double end = i + 2 == plan.size() && length > 0.0 ? 1.0 + beyond_end / std::sqrt(length) : 1.0;
+    const Vector3d foot = plan[i] + std::clamp(place, 0.0, end) * way;
     const double distance = (bottom - foot).norm();
     if (distance >= least) continue;
     least = distance;
     result.nearest = foot;
-    beyond = i + 2 == plan.size() && (place - 1.0) * std::sqrt(length) > 1.0;
+    beyond = i + 2 == plan.size() && place > end;
   }
   result.distance = least;
   result.there = !beyond;

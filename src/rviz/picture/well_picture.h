@@ -24,8 +24,8 @@ void add_layers(MeshData& bands, MeshData& lines, const HoleAxis& axis, const Ri
 /// Horizontal direction from the table to the hole's bottom, unit; where it lies below the table, the direction in which the hole leans there, or east.
 Eigen::Vector3d closure_direction(const HoleAxis& axis) noexcept;
 
-/// How far the hole's bottom is from the planned path, and where on that it is nearest. `there` is false where there is no plan, or where it ends
-/// more than 1 m before the bottom: what is beyond its end is no error.
+/// How far the hole's bottom is from the planned path, and where on that it is nearest. The plan goes on straight for 1 m beyond its end: what is drilled
+/// beyond is no error. `there` is false where there is no plan, or where it ends more than that before the bottom.
 struct PlanDistance
 {
   bool there = false;
