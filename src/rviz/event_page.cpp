@@ -77,9 +77,6 @@ std::vector<EventPage::Line> EventPage::lines_of(const RigState* state, const Ri
 {
   std::vector<Line> lines;
   const Flags flags = state != nullptr ? flags_of(*state, truth) : Flags();
-  for (const Alarm& alarm : alarms_.latched())
-    if (!flags[static_cast<std::size_t>(alarm.flag)])
-      lines.push_back({QStringLiteral("%1 (over: %2 to %3)").arg(row_of(alarm.flag).text, clock_text(alarm.from), clock_text(alarm.to)), Level::alarm});
   const bool failed = state != nullptr && state->run_state == RigState::FAILED;
   for (const std::string* remark : {&diagnosis.commands, &diagnosis.time})
     if (!remark->empty()) lines.push_back({QString::fromStdString(*remark), failed ? Level::alarm : Level::caution});
@@ -90,26 +87,35 @@ std::vector<EventPage::Line> EventPage::lines_of(const RigState* state, const Ri
         lines.push_back({QStringLiteral("drop-out: %1 repeats its last reading").arg(row_of(failing_gauges()[n]).label), Level::caution});
   for (const FlagRow& row : flag_rows())
     if (flags[static_cast<std::size_t>(row.flag)] && row.flag != Flag::accuracy_warning) lines.push_back({row.text, row.level});
+  if (state != nullptr)
+    for (const QString& fault : faults_) lines.push_back({"fault: " + fault, Level::caution});
+  for (const Alarm& alarm : alarms_.latched())  // after what is the case now
+    if (!flags[static_cast<std::size_t>(alarm.flag)])
+      lines.push_back({QStringLiteral("%1 (over: %2 to %3)").arg(row_of(alarm.flag).text, clock_text(alarm.from), clock_text(alarm.to)), Level::alarm});
   std::stable_sort(lines.begin(), lines.end(), [](const Line& a, const Line& b) { return a.level > b.level; });
   return lines;
 }
 
 void EventPage::take(const std::vector<RigStateConstPtr>& states, const std::vector<RigTruthConstPtr>& truths)
 {
-  auto truth = truths.begin();
+  early_.insert(early_.end(), truths.begin(), truths.end());
+  auto truth = early_.begin();
   for (const RigStateConstPtr& state : states)
   {
+    if (state->header.stamp.toSec() < time_) truth = early_.end();  // another well: they are of the one before
     time_ = state->header.stamp.toSec();
     Flags flags = truth_flags_;
-    for (; truth != truths.end() && (*truth)->header.stamp <= state->header.stamp; ++truth)
+    for (; truth != early_.end() && (*truth)->header.stamp <= state->header.stamp; ++truth)
     {
       truth_flags_ = flags_of(RigState(), truth->get());
       flags |= truth_flags_;
+      log_faults(**truth);
     }
     log_alarms(time_, flags | flags_of(*state, nullptr));
     log_operation(*state);
     log_connection(*state);
   }
+  early_.erase(early_.begin(), truth);
 }
 
 void EventPage::log_alarms(double time, const Flags& flags)
@@ -122,6 +128,18 @@ void EventPage::log_alarms(double time, const Flags& flags)
     else
       log(row.text, row.level);
   }
+}
+
+void EventPage::log_faults(const RigTruth& truth)
+{
+  QStringList faults;
+  for (const std::string& fault : truth.active_faults) faults << QString::fromStdString(fault).replace('_', ' ');
+  if (faults == faults_) return;
+  for (const QString& fault : faults)
+    if (!faults_.contains(fault)) log("fault: " + fault, Level::caution);
+  for (const QString& fault : faults_)
+    if (!faults.contains(fault)) log("over: fault: " + fault, Level::normal);
+  faults_ = faults;
 }
 
 void EventPage::log_operation(const RigState& state)

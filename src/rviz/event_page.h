@@ -1,6 +1,7 @@
 #ifndef DRILL_RIG_SIM_RVIZ_EVENT_PAGE_H
 #define DRILL_RIG_SIM_RVIZ_EVENT_PAGE_H
 
+#include <QStringList>
 #include <QWidget>
 #include <string>
 #include <vector>
@@ -15,7 +16,7 @@ class QPushButton;
 
 namespace drill_rig_sim::console
 {
-/// What is the case now (flags, lost gauges) with the alarms that nobody has acknowledged, the accuracy of the simulation in a line of its own, and a
+/// What is the case now (flags, lost gauges, faults) with the alarms that nobody has acknowledged, the accuracy of the simulation in a line of its own, and a
 /// log of flags from and to, operations, connections and answers.
 class EventPage : public QWidget
 {
@@ -43,6 +44,7 @@ private:
   };
   std::vector<Line> lines_of(const RigState* state, const RigTruth* truth, const Diagnosis& diagnosis) const;
   void log_alarms(double time, const Flags& flags);
+  void log_faults(const RigTruth& truth);
   void log_operation(const RigState& state);
   void log_connection(const RigState& state);
   void show_accuracy(const QString& text);
@@ -51,9 +53,11 @@ private:
   QLabel* accuracy_;
   QPushButton* acknowledge_;
   double time_ = 0.0;
+  std::vector<RigTruthConstPtr> early_;  // that came before the rig_state of their time
   Flags truth_flags_;
   AlarmLog alarms_;
   ConnectionLog connections_;
+  QStringList faults_;  // under way
   QString operation_, shown_;
   int warnings_ = 0;
   QString gravest_ = "No warnings";

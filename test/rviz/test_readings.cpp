@@ -179,9 +179,12 @@ TEST_F(Readings, WarningsAreAList)
   console.choose("fault kind", "pump trip");
   ASSERT_TRUE(console.asks("fault begin", "inject_fault: "));
   EXPECT_TRUE(wait_until([&] { return has("pump tripped"); }));
+  EXPECT_TRUE(wait_until([&] { return has("fault: pump trip") && logged("fault: pump trip"); })) << "faults under way are listed";
   EXPECT_TRUE(wait_until([&] { return console.get<QLabel>("gravest warning")->text().contains("pump tripped"); }));
   ASSERT_TRUE(console.asks("fault end", "inject_fault: "));
   EXPECT_TRUE(wait_until([&] { return has("pump tripped: no flow until a flow of 0 is commanded (over: "); })) << "an alarm stays until it is acknowledged";
+  EXPECT_TRUE(wait_until([&] { return !has("fault: "); }));
+  EXPECT_TRUE(logged("over: fault: pump trip"));
   console.window().grab().save(out_folder() + "/console_latched.png");
   console.click("alarms acknowledge");
   EXPECT_TRUE(wait_until([&] { return !has("pump tripped"); }));
