@@ -14,6 +14,7 @@
 #include <cmath>
 #include <fstream>
 
+#include "chart_scales.h"
 #include "chart_track.h"
 #include "look.h"
 
@@ -67,13 +68,13 @@ QToolButton* ChartPage::add_tool(const QString& text, const QString& name, const
 void ChartPage::make_tools()
 {
   axis_box_ = new QComboBox(this);
-  axis_box_->addItems({"time", "depth"});
+  axis_box_->addItems({"time", "time down", "depth"});
   axis_box_->setAccessibleName("chart axis");
   tools_->addWidget(axis_box_);
   connect(axis_box_, QOverload<int>::of(&QComboBox::activated), this,
           [this](int n)
           {
-            set_axis(n == 0 ? Axis::time : Axis::depth);
+            set_axis(n < 2 ? Axis::time : Axis::depth, n > 0);
             Q_EMIT settings_changed();
           });
   connect(add_tool("+", "zoom in", "Show less; so does the wheel"), &QToolButton::clicked, this, [this] { zoom(0.5, cursor_); });
@@ -84,6 +85,7 @@ void ChartPage::make_tools()
   values_ = add_tool("Values", "values", "What is shown");
   values_->setPopupMode(QToolButton::InstantPopup);
   make_menu();
+  connect(add_tool("Scales", "scales", "Scales that do not follow the values"), &QToolButton::clicked, this, &ChartPage::ask_for_scales);
   tools_->addStretch(1);
   connect(add_tool("CSV", "save csv", "Save all that was recorded"), &QToolButton::clicked, this, [this] { ask_for_file("csv"); });
   connect(add_tool("PNG", "save png", "Save a picture of the chart"), &QToolButton::clicked, this, [this] { ask_for_file("png"); });
@@ -135,6 +137,7 @@ void ChartPage::set_quantities(const std::vector<Quantity>& list)
     if (tracks_.size() == most_tracks) break;
     auto* track = new ChartTrack(quantity, static_cast<int>(tracks_.size()), strip_widget_);
     track->set_units(system_);
+    if (const auto scale = scales_.find(quantity); scale != scales_.end()) track->set_scale(scale->second);
     track->plot()->canvas()->installEventFilter(this);
     tracks_.push_back(track);
   }
@@ -153,21 +156,21 @@ void ChartPage::set_quantities(const std::vector<Quantity>& list)
 
 void ChartPage::lay_out()
 {
-  const bool downwards = axis_ == Axis::depth;
-  strip_->setDirection(downwards ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+  strip_->setDirection(downwards_ ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
   for (std::size_t n = 0; n < tracks_.size(); ++n)
   {
-    const bool labelled = downwards ? n == 0 : n + 1 == tracks_.size();
-    tracks_[n]->set_axis(axis_, labelled);
+    const bool labelled = downwards_ ? n == 0 : n + 1 == tracks_.size();
+    tracks_[n]->set_axis(axis_, downwards_, labelled);
     strip_->addWidget(tracks_[n], labelled ? 13 : 10);
   }
 }
 
-void ChartPage::set_axis(Axis axis)
+void ChartPage::set_axis(Axis axis, bool downwards)
 {
   axis_ = axis;
+  downwards_ = downwards || axis == Axis::depth;
   cursor_ = missing;
-  axis_box_->setCurrentIndex(axis == Axis::time ? 0 : 1);
+  axis_box_->setCurrentIndex(axis == Axis::depth ? 2 : downwards_ ? 1 : 0);
   pause_->setChecked(window().paused());
   lay_out();
   refresh();
@@ -178,6 +181,31 @@ void ChartPage::set_units(UnitSystem system)
   system_ = system;
   for (ChartTrack* track : tracks_) track->set_units(system);
   refresh();
+}
+
+void ChartPage::set_scales(const std::map<Quantity, FixedScale>& scales)
+{
+  scales_ = scales;
+  for (ChartTrack* track : tracks_)
+  {
+    const auto scale = scales_.find(track->quantity());
+    track->set_scale(scale == scales_.end() ? std::nullopt : std::optional<FixedScale>(scale->second));
+  }
+  refresh();
+}
+
+void ChartPage::ask_for_scales()
+{
+  std::vector<ChartScales::Row> rows;
+  for (const ChartTrack* track : tracks_) rows.push_back({track->quantity(), scales_.count(track->quantity()) > 0, track->scale()});
+  auto* dialog = new ChartScales(rows, system_, this);
+  connect(dialog, &ChartScales::chosen, this,
+          [this](const std::map<Quantity, FixedScale>& scales)
+          {
+            set_scales(scales);
+            Q_EMIT settings_changed();
+          });
+  dialog->open();
 }
 
 void ChartPage::set_span(Axis axis, double span) { (axis == Axis::time ? by_time_window_ : by_depth_window_).set_span(span); }

@@ -2,8 +2,10 @@
 #define DRILL_RIG_SIM_RVIZ_CHART_PAGE_H
 
 #include <QWidget>
+#include <map>
 #include <vector>
 
+#include "chart_track.h"
 #include "console/chart_window.h"
 #include "console/history.h"
 
@@ -15,9 +17,7 @@ class QToolButton;
 
 namespace drill_rig_sim::console
 {
-class ChartTrack;
-
-/// The strip chart: any quantities, a track each, against time or depth. The wheel zooms, dragging goes back and pauses, the mouse is the cursor.
+/// The strip chart: any quantities, a track each, against time (to the right or downwards) or depth. The wheel zooms, dragging goes back and pauses, the mouse is the cursor.
 class ChartPage : public QWidget
 {
   Q_OBJECT
@@ -32,11 +32,16 @@ public:
   /// Draws, if it is seen.
   void refresh();
 
-  void set_axis(Axis axis);
+  /// `downwards`: with time too; depth always goes downwards.
+  void set_axis(Axis axis, bool downwards);
   Axis axis() const { return axis_; }
+  bool downwards() const { return downwards_; }
   /// Tracks from above, or from the left; at most `most_tracks`.
   void set_quantities(const std::vector<Quantity>& chosen);
   std::vector<Quantity> chosen() const;
+  /// Scales that do not follow the values.
+  void set_scales(const std::map<Quantity, FixedScale>& scales);
+  const std::map<Quantity, FixedScale>& scales() const { return scales_; }
   void set_span(Axis axis, double span);
   double span(Axis axis) const;
   /// Writes the samples against the present axis; false where the file cannot be written.
@@ -59,6 +64,7 @@ private:
   void make_tools();
   void make_menu();
   void choose(Quantity quantity, bool on);
+  void ask_for_scales();
   void lay_out();
   void zoom(double factor, double around);
   void set_paused(bool on);
@@ -73,6 +79,8 @@ private:
   History by_time_, by_depth_;
   ChartWindow by_time_window_, by_depth_window_;
   Axis axis_ = Axis::time;
+  bool downwards_ = false;
+  std::map<Quantity, FixedScale> scales_;
   UnitSystem system_ = UnitSystem::si;
   double cursor_, dragged_from_;  // NaN: none
   std::vector<ChartTrack*> tracks_;

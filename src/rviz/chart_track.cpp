@@ -120,20 +120,20 @@ ChartTrack::ChartTrack(Quantity quantity, int number, QWidget* parent)
   box->setSpacing(0);
   box->addWidget(title_);
   box->addWidget(plot_, 1);
-  set_axis(Axis::time, true);
+  set_axis(Axis::time, false, true);
 }
 
 ChartTrack::~ChartTrack() = default;
 
-void ChartTrack::set_axis(Axis axis, bool labelled)
+void ChartTrack::set_axis(Axis axis, bool downwards, bool labelled)
 {
   axis_ = axis;
-  const bool downwards = axis == Axis::depth;
-  plot_->setAxisScaleDraw(QwtPlot::xBottom, downwards ? new QwtScaleDraw : new TimeDraw);
-  plot_->setAxisScaleDraw(QwtPlot::yLeft, new QwtScaleDraw);
+  downwards_ = downwards;
+  const int common = downwards ? QwtPlot::yLeft : QwtPlot::xBottom;
+  plot_->setAxisScaleDraw(value_side(), new QwtScaleDraw);
+  plot_->setAxisScaleDraw(common, axis == Axis::time ? new TimeDraw : new QwtScaleDraw);
   plot_->axisScaleDraw(QwtPlot::yLeft)->setMinimumExtent(downwards ? 0 : value_extent);
   // an axis without numbers still keeps their margins: the tracks stand in line
-  const int common = downwards ? QwtPlot::yLeft : QwtPlot::xBottom;
   plot_->enableAxis(QwtPlot::xBottom, true);
   plot_->enableAxis(QwtPlot::yLeft, true);
   for (const auto part : {QwtScaleDraw::Labels, QwtScaleDraw::Ticks, QwtScaleDraw::Backbone}) plot_->axisScaleDraw(common)->enableComponent(part, labelled);
@@ -155,17 +155,27 @@ double ChartTrack::shown_place(double place) const { return axis_ == Axis::time 
 
 double ChartTrack::place_at(const QPoint& point) const
 {
-  if (axis_ == Axis::time) return plot_->invTransform(QwtPlot::xBottom, point.x());
-  return to_si(plot_->invTransform(QwtPlot::yLeft, point.y()), Dimension::length, system_);
+  const double place = downwards_ ? plot_->invTransform(QwtPlot::yLeft, point.y()) : plot_->invTransform(QwtPlot::xBottom, point.x());
+  return axis_ == Axis::time ? place : to_si(place, Dimension::length, system_);
+}
+
+int ChartTrack::value_side() const { return downwards_ ? QwtPlot::xBottom : QwtPlot::yLeft; }
+
+FixedScale ChartTrack::scale() const
+{
+  const QwtScaleDiv& shown = plot_->axisScaleDiv(value_side());
+  const double per_si = unit_of(row_of(quantity_).dimension, system_).per_si;
+  return {shown.lowerBound() / per_si, shown.upperBound() / per_si};
 }
 
 void ChartTrack::scale_values()
 {
-  const int side = axis_ == Axis::time ? QwtPlot::yLeft : QwtPlot::xBottom;
-  const QRectF box = curve_->boundingRect();
-  double low = axis_ == Axis::time ? box.top() : box.left(), high = axis_ == Axis::time ? box.bottom() : box.right();
-  if (curve_->dataSize() == 0) low = 0.0, high = 1.0;
+  const int side = value_side();
   const Unit& unit = unit_of(row_of(quantity_).dimension, system_);
+  if (scale_) return plot_->setAxisScale(side, scale_->low * unit.per_si, scale_->high * unit.per_si);
+  const QRectF box = curve_->boundingRect();
+  double low = downwards_ ? box.left() : box.top(), high = downwards_ ? box.right() : box.bottom();
+  if (curve_->dataSize() == 0) low = 0.0, high = 1.0;
   const double least = 10.0 * std::pow(10.0, -unit.decimals);  // a scale that shows nothing but the last digit would show noise
   const double more = std::max(0.06 * (high - low), 0.5 * std::max(0.0, least - (high - low)));
   plot_->setAxisScale(side, low - more, high + more);
@@ -174,12 +184,11 @@ void ChartTrack::scale_values()
 void ChartTrack::show_line(const History& history, double from, double to)
 {
   const double per_si = unit_of(row_of(quantity_).dimension, system_).per_si;
-  const bool downwards = axis_ == Axis::depth;
-  curve_->set_strokes(history.line(quantity_, from, to, columns), per_si, shown_place(1.0), downwards);
-  if (downwards)
-    plot_->setAxisScale(QwtPlot::yLeft, shown_place(to), shown_place(from));  // deeper is further down
+  curve_->set_strokes(history.line(quantity_, from, to, columns), per_si, shown_place(1.0), downwards_);
+  if (downwards_)
+    plot_->setAxisScale(QwtPlot::yLeft, shown_place(to), shown_place(from));  // deeper, or later, is further down
   else
-    plot_->setAxisScale(QwtPlot::xBottom, from, to);
+    plot_->setAxisScale(QwtPlot::xBottom, shown_place(from), shown_place(to));
   scale_values();
   plot_->replot();
 }
@@ -189,18 +198,20 @@ void ChartTrack::show_cursor(const History& history, double place)
   const QuantityRow& row = row_of(quantity_);
   double value = missing;
   if (!history.empty()) value = history[std::isfinite(place) ? history.nearest(place) : history.size() - 1].value[index_of(quantity_)];
-  // against depth a track is narrow: name, value and place one below the other
-  const QString apart = axis_ == Axis::depth ? "\n" : "  ";
+  // downwards a track is narrow: name, value and place one below the other
+  const QString apart = downwards_ ? "\n" : "  ";
   QString text = row.label + apart + shown_text(value, row.dimension, system_);
+  if (scale_ && value > scale_->high) text += QString::fromUtf8(" ▲");
+  if (scale_ && value < scale_->low) text += QString::fromUtf8(" ▼");
   const QString where = axis_ == Axis::time ? TimeDraw().label(place).text() : shown_text(place, Dimension::length, system_);
   if (std::isfinite(place)) text += apart + "at " + where;
   tell(title_, text);
   cursor_->setVisible(std::isfinite(place));
   if (!std::isfinite(place)) return;
-  if (axis_ == Axis::time)
-    cursor_->setXValue(place);
-  else
+  if (downwards_)
     cursor_->setYValue(shown_place(place));
+  else
+    cursor_->setXValue(shown_place(place));
 }
 
 }  // namespace drill_rig_sim::console

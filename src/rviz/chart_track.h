@@ -4,6 +4,7 @@
 #include <QColor>
 #include <QWidget>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "console/history.h"
@@ -17,8 +18,14 @@ namespace drill_rig_sim::console
 {
 class StrokeCurve;
 
-/// One quantity of the strip chart: a plot by Qwt under a line with its name and the value at the cursor, or the latest. Against time the axis runs to the
-/// right, against depth downwards. Its accessible name is "chart KEY".
+/// Ends of a scale that a user has chosen [SI].
+struct FixedScale
+{
+  double low, high;
+};
+
+/// One quantity of the strip chart: a plot by Qwt under a line with its name and the value at the cursor, or the latest. Its axis runs to the
+/// right or downwards. Its accessible name is "chart KEY".
 class ChartTrack : public QWidget
 {
   Q_OBJECT
@@ -28,8 +35,12 @@ public:
 
   Quantity quantity() const { return quantity_; }
   /// `labelled`: this track has the numbers of the common axis.
-  void set_axis(Axis axis, bool labelled);
+  void set_axis(Axis axis, bool downwards, bool labelled);
   void set_units(UnitSystem system);
+  /// Its values' scale from now on [SI]; none: by what is drawn. A value beyond a fixed scale has the sign "▲" or "▼".
+  void set_scale(const std::optional<FixedScale>& scale) { scale_ = scale; }
+  /// The scale drawn last [SI].
+  FixedScale scale() const;
   /// Draws what lies between two places of the common axis [s] or [m].
   void show_line(const History& history, double from, double to);
   /// The cursor at a place, with the value there; NaN: no cursor, the latest value.
@@ -40,10 +51,13 @@ public:
 
 private:
   double shown_place(double place) const;
+  int value_side() const;
   void scale_values();
 
   Quantity quantity_;
   Axis axis_ = Axis::time;
+  bool downwards_ = false;
+  std::optional<FixedScale> scale_;
   UnitSystem system_ = UnitSystem::si;
   QColor color_;
   QLabel* title_;

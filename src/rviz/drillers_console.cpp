@@ -299,7 +299,16 @@ void DrillersConsole::load(const rviz::Config& config)
     if (alarms.isValid() && get_number(alarms, row.key, number)) s.alarms.above[index_of(row.quantity)] = number;
   if (get_number(config, "Chart Time Span", number)) chart_->set_span(Axis::time, number);
   if (get_number(config, "Chart Depth Span", number)) chart_->set_span(Axis::depth, number);
-  if (config.mapGetString("Chart Axis", &text)) chart_->set_axis(text == "depth" ? Axis::depth : Axis::time);
+  if (config.mapGetString("Chart Axis", &text)) chart_->set_axis(text == "depth" ? Axis::depth : Axis::time, text == "time down");
+  const rviz::Config scales = config.mapGetChild("Chart Scales");
+  std::map<Quantity, FixedScale> fixed;
+  for (const QuantityRow& row : quantities())
+  {
+    FixedScale scale{};
+    const rviz::Config ends = scales.isValid() ? scales.mapGetChild(row.key) : rviz::Config();
+    if (ends.isValid() && get_number(ends, "From", scale.low) && get_number(ends, "To", scale.high) && scale.high > scale.low) fixed[row.quantity] = scale;
+  }
+  chart_->set_scales(fixed);
   if (config.mapGetString("Chart Values", &text))
   {
     std::vector<Quantity> chosen;
@@ -333,7 +342,14 @@ void DrillersConsole::save(rviz::Config config) const
   QStringList keys;
   for (const Quantity quantity : chart_->chosen()) keys << row_of(quantity).key;
   config.mapSetValue("Chart Values", keys.join(' '));
-  config.mapSetValue("Chart Axis", chart_->axis() == Axis::time ? "time" : "depth");
+  config.mapSetValue("Chart Axis", chart_->axis() == Axis::depth ? "depth" : chart_->downwards() ? "time down" : "time");
+  rviz::Config scales = config.mapMakeChild("Chart Scales");
+  for (const auto& [quantity, scale] : chart_->scales())
+  {
+    rviz::Config ends = scales.mapMakeChild(row_of(quantity).key);
+    ends.mapSetValue("From", scale.low);
+    ends.mapSetValue("To", scale.high);
+  }
   config.mapSetValue("Chart Time Span", chart_->span(Axis::time));
   config.mapSetValue("Chart Depth Span", chart_->span(Axis::depth));
   config.mapSetValue("Page", tabs_->currentWidget()->objectName());

@@ -186,7 +186,11 @@ TEST(Life, SettingsAreKept)
     console.choose("settings units", "oilfield");
     console.type("settings bit diameter", "8.5");
     console.get<QAbstractButton>("settings truth")->click();
-    console.choose("chart axis", "depth");
+    console.choose("chart axis", "time down");
+    console.open_page_of("chart axis");
+    console.get<QAbstractButton>("chart scales")->click();
+    console.get<QAbstractButton>("chart fixed torque")->click();
+    QTest::mouseClick(console.get("chart scales ok"), Qt::LeftButton);
     kept = console.config();
   }
   Console console("elsewhere");
@@ -195,7 +199,11 @@ TEST(Life, SettingsAreKept)
   EXPECT_EQ("oilfield", console.get<QComboBox>("settings units")->currentText().toStdString());
   EXPECT_EQ("8.500 in", console.get<QAbstractSpinBox>("settings bit diameter")->text().toStdString());
   EXPECT_TRUE(console.get<QAbstractButton>("settings truth")->isChecked());
-  EXPECT_EQ("depth", console.get<QComboBox>("chart axis")->currentText().toStdString());
+  EXPECT_EQ("time down", console.get<QComboBox>("chart axis")->currentText().toStdString());
+  console.open_page_of("chart axis");
+  console.get<QAbstractButton>("chart scales")->click();
+  EXPECT_TRUE(console.get<QAbstractButton>("chart fixed torque")->isChecked());
+  EXPECT_FALSE(console.get<QAbstractButton>("chart fixed hook_load")->isChecked());
 }
 
 TEST(Life, AServiceThatHangsDoesNotHangTheWindow)

@@ -279,6 +279,52 @@ TEST_F(Chart, AnyValuesAgainstTimeOrDepth)
   EXPECT_GT(second.left(), first.right()) << "side by side against depth";
 }
 
+TEST_F(Chart, TimeDownwardsAndFixedScales)
+{
+  Console console;
+  ASSERT_TRUE(console.is_in_state("RUNNING"));
+  console.choose("chart axis", "time down");
+  ASSERT_TRUE(wait_until([&] { return console.shows("chart span").section(", ", 1).section(' ', 0, 0).toInt() > 10; }));
+  const QRect first = console.get("chart hook_load")->geometry(), second = console.get("chart torque")->geometry();
+  EXPECT_GT(second.left(), first.right()) << "side by side";
+  ASSERT_TRUE(wait_until([&] { return console.shows("chart value hook_load").contains("kN"); }));
+  EXPECT_FALSE(console.shows("chart value hook_load").contains(QString::fromUtf8("▲")));
+  const auto curve = [&]
+  {
+    const QImage seen = console.get("chart hook_load")->grab().toImage();
+    int count = 0;
+    for (int y = seen.height() / 2; y < seen.height(); ++y)
+      for (int x = 0; x < seen.width(); ++x)
+      {
+        const QColor c = seen.pixelColor(x, y);
+        count += c.blue() > 150 && c.blue() > c.red() + 60;
+      }
+    return count;
+  };
+  EXPECT_TRUE(wait_until([&] { return curve() > 50; })) << "the latest is below";
+  const auto fix = [&](const char* from, const char* to)
+  {
+    console.get<QToolButton>("chart scales")->click();
+    auto* dialog = console.get("chart scales dialog");
+    ASSERT_TRUE(wait_until([&] { return dialog->isVisible(); }));
+    for (const auto& [box, text] : {std::pair("chart from hook_load", from), std::pair("chart to hook_load", to)})
+    {
+      auto* number = console.get<QAbstractSpinBox>(box);
+      number->selectAll();
+      QTest::keyClicks(number, text);
+    }
+    QTest::mouseClick(console.get("chart scales ok"), Qt::LeftButton);
+  };
+  fix("0", "600");
+  EXPECT_TRUE(wait_until([&] { return curve() > 50; }));
+  EXPECT_FALSE(console.shows("chart value hook_load").contains(QString::fromUtf8("▲")));
+  console.window().grab().save(out_folder() + "/console_chart_down.png");
+  wait_for(0.5);
+  fix("0", "10");
+  EXPECT_TRUE(wait_until([&] { return console.shows("chart value hook_load").contains(QString::fromUtf8("▲")); })) << "beyond a scale is not left out unsaid";
+  EXPECT_TRUE(wait_until([&] { return curve() < 20; })) << curve();
+}
+
 TEST_F(Chart, PauseZoomCursor)
 {
   Console console;

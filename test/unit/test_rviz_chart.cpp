@@ -115,6 +115,22 @@ TEST(ConsoleHistory, APeakWithinASampleIsDrawn)
   EXPECT_EQ(100e3, least);
 }
 
+TEST(ConsoleHistory, AGapStaysAGap)
+{
+  History h(Axis::time, 1000, 0.2);
+  Values values;
+  values.set(Quantity::hook_load, 500e3);
+  for (const double begin : {0.0, 30.0})
+    for (int n = 0; n < 100; ++n) h.add(begin + 0.1 * n, 0.0, values);
+  const std::vector<Stroke> strokes = h.line(Quantity::hook_load, 0.0, 40.0, 100);
+  ASSERT_EQ(2u, strokes.size());
+  EXPECT_LT(strokes[0].back().x, 10.1);
+  EXPECT_GT(strokes[1].front().x, 29.9);
+  History slow(Axis::time, 1000, 0.2);
+  for (int n = 0; n < 10; ++n) slow.add(10.0 * n, 0.0, values);
+  EXPECT_LE(slow.line(Quantity::hook_load, 0.0, 100.0, 100).size(), 2u) << "they come every 10 s";
+}
+
 TEST(ConsoleHistory, NoLineWhereNothingWasHeard)
 {
   History h = ramp(Axis::time, 50, 1000, 0.2);

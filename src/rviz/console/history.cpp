@@ -6,6 +6,11 @@
 
 namespace drill_rig_sim::console
 {
+namespace
+{
+constexpr double longest_pause = 5.0;  // between readings; after a longer one the line is broken, if they do not come that slowly [s]
+}
+
 History::History(Axis axis, std::size_t capacity, double interval) : axis_(axis), capacity_(capacity), interval_(interval) { samples_.reserve(capacity); }
 
 void History::clear()
@@ -32,6 +37,9 @@ void History::add(double time, double depth, const Values& values)
   const double x = axis_ == Axis::time ? time : depth;
   if (!std::isfinite(x)) return;
   if (begun_ && x < last_ - 1e-9) clear();
+  if (axis_ == Axis::time && begun_ && time - last_time_ > std::max(longest_pause, 3.0 * between_)) interrupted_ = true;
+  between_ = begun_ ? time - last_time_ : 0.0;
+  last_time_ = time;
   if (begun_ && x == last_) return;  // time stands, or nothing is drilled
   last_ = x;
   if (!begun_ || interrupted_)

@@ -32,8 +32,9 @@ struct ChartPoint
 /// A piece of a curve's line: points that belong together.
 using Stroke = std::vector<ChartPoint>;
 
-/// The last samples of all quantities against time or depth: at most `capacity`, one for each `interval`, the oldest go. A sample is the mean of what
-/// came in its interval, of angles the last: the mean of 359 and 1 deg is none. It keeps the smallest and the largest too: the chart draws every peak.
+/// The last samples of all quantities against time or depth: at most `capacity`, one for each `interval`, the oldest go. A sample is the mean of
+/// what came in its interval, of angles the last: the mean of 359 and 1 deg is none. Against time a line is broken where no reading came for more
+/// than 5 s. It keeps the smallest and the largest too: the chart draws every peak.
 class History
 {
 public:
@@ -71,7 +72,7 @@ private:
   bool interrupted_ = true;
   // of the interval under way
   bool begun_ = false, begins_ = true;
-  double since_ = 0.0, last_ = 0.0;
+  double since_ = 0.0, last_ = 0.0, last_time_ = 0.0, between_ = 0.0;
   std::array<double, quantity_count> sum_{}, least_{}, most_{};
   std::array<std::size_t, quantity_count> number_{};
 };
