@@ -16,7 +16,7 @@ from rviz_window import FOLDER, Window
 from string_picture import all_seen, is_string, measured
 
 CONFIG = os.path.join(PACKAGE_DIR, "config", "rviz", "rig.rviz")
-VIEW = (20, 66, 590, 766)  # of a window of 1280x800, where the string is drawn: the legend is to its right, then the console
+VIEW = (20, 66, 570, 766)  # of a window of 1280x800, where the string is drawn: the legend is to its right, then the console
 MIDDLE = 402  # of the picture, in that view
 TOPICS = ["/rig/drillstring_state", "/rig/rig_description", "/rig/trajectory"]
 LEGEND = (594, 76, 814, 456)
