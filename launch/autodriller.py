@@ -1,26 +1,32 @@
 #!/usr/bin/env python3
-"""A first controller: turns the string and feeds the bit so that 10 kN weigh on it."""
+"""A first controller: turns the string and feeds the bit so that 10 kN weigh on it. After a reset of the well it begins again."""
 import rospy
 from drill_rig_sim.msg import RigState, TopDriveCommand, WinchCommand
 from std_srvs.srv import Trigger
 
-speed = 0.0  # of the block, downwards [m/s]
+epoch, began, speed = None, 0.0, 0.0  # run of the rig, its begin [s], speed of the block, downwards [m/s]
 
 
 def feed(state):  # with every frame, 100 times a simulated second
-    global speed
-    missing = 10e3 - state.surface_wob  # weight on bit: how far the hook load is below its zero [N]
-    speed = min(max(speed + 5e-9 * missing, 0.0), 0.015)
-    winch.publish(WinchCommand(block_velocity=-speed))
+    global epoch, began, speed
+    now = state.header.stamp.to_sec()
+    if state.epoch != epoch or now < began:  # the first frame, the first after a reset, or after a restart of the rig
+        epoch, began, speed = state.epoch, now, 0.0
+        winch.publish(WinchCommand(block_velocity=-0.01))
+        top_drive.publish(TopDriveCommand(mode=TopDriveCommand.SPEED, speed=9.4))  # [rad/s], 90 rpm
+    elif not state.tared:
+        if now > began + 8.0:
+            tare()  # zero the hook load off bottom, moving down: at rest the rail friction is another
+    else:
+        missing = 10e3 - state.surface_wob  # weight on bit: how far the hook load is below its zero [N]
+        speed = min(max(speed + 5e-9 * missing, 0.0), 0.015)
+        winch.publish(WinchCommand(block_velocity=-speed))
 
 
 rospy.init_node("autodriller")
 winch = rospy.Publisher("winch/command", WinchCommand, queue_size=1, latch=True)
-winch.publish(WinchCommand(block_velocity=-0.01))
 top_drive = rospy.Publisher("top_drive/command", TopDriveCommand, queue_size=1, latch=True)
-top_drive.publish(TopDriveCommand(mode=TopDriveCommand.SPEED, speed=9.4))  # [rad/s], 90 rpm
 rospy.wait_for_service("tare")
-rospy.sleep(8.0)
-rospy.ServiceProxy("tare", Trigger)()  # zero the hook load off bottom, moving down: at rest the rail friction is another
+tare = rospy.ServiceProxy("tare", Trigger)
 rospy.Subscriber("rig_state", RigState, feed, queue_size=1)
 rospy.spin()

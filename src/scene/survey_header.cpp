@@ -60,11 +60,11 @@ bool match_name(const std::string& name, HeaderCell& cell)
 bool match(const Words& words, HeaderCell& cell)
 {
   cell.unit = nullptr;
-  if (match_name(joined(words, words.size()), cell)) return true;
+  if (match_name(in_one(words, words.size()), cell)) return true;
   // "md_ft", "Depth m RKB": one or two words of a unit
   for (std::size_t last = 1; last <= 2 && last < words.size(); ++last)
   {
-    if (!match_name(joined(words, words.size() - last), cell)) continue;
+    if (!match_name(in_one(words, words.size() - last), cell)) continue;
     std::string spelling;
     for (std::size_t i = words.size() - last; i < words.size(); ++i) spelling += words[i];
     cell.unit = unit_for(*cell.quantity, spelling);

@@ -33,7 +33,7 @@ Words name_words(const std::string& text)
   return words;
 }
 
-std::string joined(const Words& words, std::size_t count)
+std::string in_one(const Words& words, std::size_t count)
 {
   std::string text;
   for (std::size_t i = 0; i < count; ++i) text += words[i];

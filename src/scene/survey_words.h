@@ -18,7 +18,7 @@ const std::map<std::string, std::string>& norths();
 /// The words of a text in small letters; signs part them.
 Words name_words(const std::string& text);
 /// The first `count` of them in one.
-std::string joined(const Words& words, std::size_t count);
+std::string in_one(const Words& words, std::size_t count);
 /// The unit of a quantity (SurveyQuantity) by its spelling; null where it has none.
 const UnitName* unit_for(std::size_t quantity, const std::string& spelling);
 /// Takes (...), [...] and {...} out of a text.

@@ -3,11 +3,12 @@
 import os
 import tempfile
 
+import yaml
 from drill_rig_sim.msg import BitTruth, RigState, RigTruth, TopDriveCommand
 from drill_rig_sim.recorder import Recorder
 from drill_rig_sim.rig import RPM, Refused, Rig, TimedOut, series
 from drill_rig_sim.score import read_run
-from rig_test import PATIENCE, Collector, numbers, rospy, run, time, unittest
+from rig_test import PACKAGE_DIR, PATIENCE, Collector, numbers, rospy, run, time, unittest
 
 FRAME = 0.01  # [s]
 
@@ -47,6 +48,52 @@ class RigModule(unittest.TestCase):
 
     def test_the_rate_is_the_nodes(self):
         self.assertEqual(100.0, self.rig.rate)
+
+    def variant(self, scene, change):
+        """Resets to a shipped scene that `change` has changed, a function of its dictionary."""
+        with open(os.path.join(PACKAGE_DIR, "config/scenes", scene), encoding="utf-8") as text:
+            spec = yaml.safe_load(text)
+        change(spec)
+        with tempfile.TemporaryDirectory() as folder:
+            file = os.path.join(folder, scene)
+            with open(file, "w", encoding="utf-8") as out:
+                yaml.safe_dump(spec, out)
+            return self.rig.reset(scene=file)
+
+    def test_a_steady_pick_up_does_not_ring(self):
+        self.rig.reset(scene="autodriller.yaml")
+        for speed in (0.2, 0.5):
+            self.rig.winch(speed)
+            self.rig.step(12.0)
+            loads = series(list(self.rig.frames(8.0)), "truth.hook_load")
+            self.assertLess(loads.std(), 10e3, speed)  # as much as instruments record of a steady pick-up
+            self.rig.brake()
+            self.rig.step(10.0)
+
+    def test_a_slide_that_stalls_its_motor_is_given_up_and_stops_the_block(self):
+        def overloaded(spec):
+            spec.pop("program", None)
+            spec["operations"] = [{"do": "flow", "flow": 0.03, "ramp": 5.0}, {"do": "tag"}, {"do": "slide", "toolface_deg": 0.0, "weight": 300e3, "distance": 5.0}]
+        self.variant("slide_steering.yaml", overloaded)
+        state = self.rig.step_until(lambda s: s.truth.motor_stalled, timeout=1500.0, every=100)
+        self.assertEqual("slide", state.current_operation)
+        state = self.rig.step_until(lambda s: s.current_operation != "slide", timeout=30.0, every=10)
+        self.assertEqual("", state.current_operation)
+        self.assertTrue(state.brake_set)
+
+    def test_gauges_have_outliers_and_the_control_system_a_latency(self):
+        def flawed(spec):
+            spec.setdefault("instruments", {}).setdefault("surface", {}).setdefault("hook_load", {}).update(outlier_interval=1.0, outlier_size=100e3)
+            spec["rig"] = {**spec.get("rig", {}), "plc_latency": 0.2}
+        self.variant("quick.yaml", flawed)
+        states = list(self.rig.frames(20.0))
+        off = abs(series(states, "hook_load") - series(states, "truth.hook_load"))
+        self.assertGreater((off > 50e3).sum(), 5)
+        self.assertLess((off > 50e3).mean(), 0.2)
+        self.rig.winch(0.1)
+        begin = self.rig.state.t
+        state = self.rig.step_until(lambda s: s.winch.block_velocity == 0.1, timeout=2.0)
+        self.assertAlmostEqual(0.2, state.t - begin, delta=2.1 * FRAME)
 
     def test_a_zero_over_seconds_tells_mean_and_deviation(self):
         with self.assertRaisesRegex(Refused, "needed: 10.0 s"):
