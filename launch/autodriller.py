@@ -10,23 +10,21 @@ epoch, began, speed = None, 0.0, 0.0  # run of the rig, its begin [s], speed of 
 def feed(state):  # with every frame, 100 times a simulated second
     global epoch, began, speed
     now = state.header.stamp.to_sec()
-    if state.epoch != epoch or now < began:  # the first frame, the first after a reset, or after a restart of the rig
+    if state.epoch != epoch or now < began:  # the first frame, or the rig was reset or started again
         epoch, began, speed = state.epoch, now, 0.0
         winch.publish(WinchCommand(block_velocity=-0.01))
         top_drive.publish(TopDriveCommand(mode=TopDriveCommand.SPEED, speed=9.4))  # [rad/s], 90 rpm
-    elif not state.tared:
-        if now > began + 8.0:
-            tare()  # zero the hook load off bottom, moving down: at rest the rail friction is another
-    else:
+    elif state.tared:
         missing = 10e3 - state.surface_wob  # weight on bit: how far the hook load is below its zero [N]
         speed = min(max(speed + 5e-9 * missing, 0.0), 0.015)
         winch.publish(WinchCommand(block_velocity=-speed))
+    elif now > began + 8.0:
+        tare()  # zero the hook load off bottom, moving down: at rest the rail friction is another
 
 
 rospy.init_node("autodriller")
 winch = rospy.Publisher("winch/command", WinchCommand, queue_size=1, latch=True)
 top_drive = rospy.Publisher("top_drive/command", TopDriveCommand, queue_size=1, latch=True)
-rospy.wait_for_service("tare")
 tare = rospy.ServiceProxy("tare", Trigger)
 rospy.Subscriber("rig_state", RigState, feed, queue_size=1)
 rospy.spin()

@@ -33,14 +33,16 @@ OperationTroubleWatch::OperationTroubleWatch(const Scene& scene)
 
 void OperationTroubleWatch::begin(double time) noexcept
 {
-  running_at_ = within_at_ = time;
+  running_at_ = within_at_ = seen_at_ = time;
 }
 
 OperationTrouble OperationTroubleWatch::look(const Operation& operation, const Readings& now) noexcept
 {
   const bool drills = traits_of(operation.kind).drills;
-  const bool stalls = drills && stall_pressure_ > 0.0 && now.tared && now.differential_pressure >= stall_share * stall_pressure_;
-  if (!stalls) running_at_ = now.time;
+  const double share = now.rop < no_hole ? no_hole_share : stall_share;
+  const bool stalls = drills && stall_pressure_ > 0.0 && now.tared && now.differential_pressure >= share * stall_pressure_;
+  if (!stalls) running_at_ = std::min(now.time, running_at_ + 2.0 * (now.time - seen_at_));
+  seen_at_ = now.time;
   if (!drills || now.mean_surface_wob <= over_weight(operation.weight)) within_at_ = now.time;
   if (now.time - running_at_ >= stall_lasts) return OperationTrouble::motor_stalled;
   return now.time - within_at_ >= over_weight_lasts ? OperationTrouble::over_weight : OperationTrouble::none;

@@ -1,5 +1,8 @@
 #include "fault_request.h"
 
+#include <sstream>
+#include <string>
+
 namespace drill_rig_sim
 {
 Fault to_fault(const InjectFault::Request& request)
@@ -12,7 +15,12 @@ Fault to_fault(const InjectFault::Request& request)
 
 std::string said_of(const Fault& fault, bool cleared)
 {
-  if (fault.kind == FaultKind::stuck_pipe) return cleared ? "the pipe is free" : "the pipe is stuck at " + std::to_string(fault.depth) + " m";
+  if (fault.kind == FaultKind::stuck_pipe)
+  {
+    std::ostringstream text;
+    text << "the pipe is stuck at " << fault.depth << " m";
+    return cleared ? "the pipe is free" : text.str();
+  }
   const std::string name = traits_of(fault.kind).word;
   const std::string of = is_of_gauge(fault.kind) ? std::string(" of ") + gauge_names[static_cast<int>(fault.gauge)] : "";
   return name + of + (cleared ? " has ended" : " has begun");

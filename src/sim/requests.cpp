@@ -71,9 +71,12 @@ void ask_fault(Simulator& simulator, const Fault& fault, bool clear)
   if (clear) return simulator.clear(fault.kind, fault.gauge);
   const char* wrong = simulator.inject(fault);
   if (wrong == no_pipe_there)
-    throw std::runtime_error("depth is " + std::to_string(fault.depth) +
-                             "; allowed is a depth where there is pipe in the hole, more than 0 (the rotary table) to " +
-                             std::to_string(simulator.truth().bit_depth) + " m (the bit)");
+  {
+    std::ostringstream text;
+    text << "depth is " << fault.depth << "; allowed is a depth where there is pipe in the hole, more than 0 (the rotary table) to " << simulator.truth().bit_depth
+         << " m (the bit)";
+    throw std::runtime_error(text.str());
+  }
   refuse_if(wrong);
 }
 

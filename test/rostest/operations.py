@@ -1,10 +1,12 @@
 #!/usr/bin/env python3
 """A scene's operations in the node: told as they go, and bit for bit what the runner makes of the same file."""
 import json
+import math
 import os
 import subprocess
 import tempfile
 
+import yaml
 from drill_rig_sim.msg import RigTruth
 from rig_test import PACKAGE_DIR, Rig, run, unittest, winch
 
@@ -25,7 +27,7 @@ def by_the_runner():
 class Operations(unittest.TestCase):
     def setUp(self):
         self.rig = Rig()
-        self.assertTrue(self.rig.reset_well("", 0.0).success)
+        self.assertTrue(self.rig.reset_well(SCENE, 0.0).success)
 
     def test_node_and_runner_agree_bit_for_bit(self):
         expected = by_the_runner()
@@ -47,6 +49,28 @@ class Operations(unittest.TestCase):
         names = ["flow", "rotate", "tag", "drill", "pick_up", "ream", "wait"]
         self.assertEqual([(i + 1, name) for i, name in enumerate(names)] + [(0, "")], told)
         self.assertTrue(state.brake_set)
+
+    def test_a_slide_that_stalls_its_motor_is_given_up_and_stops_the_block(self):
+        with open(os.path.join(PACKAGE_DIR, "config/scenes/slide_steering.yaml"), encoding="utf-8") as text:
+            scene = yaml.safe_load(text)
+        next(part for part in scene["string"] if part["type"] == "mud_motor")["stall_torque"] = 900.0
+        scene["operations"] = [{"do": "flow", "flow": 0.03, "ramp": 5.0}, {"do": "tag"},
+                               {"do": "slide", "toolface_deg": 0.0, "weight": 60e3, "distance": 5.0}]
+        with tempfile.TemporaryDirectory() as folder:
+            file = os.path.join(folder, "stalls.yaml")
+            with open(file, "w", encoding="utf-8") as out:
+                yaml.safe_dump(scene, out)
+            self.assertTrue(self.rig.reset_well(file, 0.0).success)
+        told = []
+        for _ in range(200):
+            state = self.rig.advance(100)
+            told.append(state.current_operation)
+            if state.current_operation == "slide" and state.brake_set:
+                break
+        self.assertEqual(["flow", "tag", "slide"], [name for i, name in enumerate(told) if i == 0 or name != told[i - 1]])
+        self.assertTrue(state.brake_set)
+        self.assertAlmostEqual(state.block_height, self.rig.advance(1000).block_height, delta=0.01)
+        self.assertGreater(state.differential_pressure, 0.7 * 2.0 * math.pi * 900.0 / 0.01)
 
     def test_a_command_takes_over(self):
         self.assertEqual("flow", self.rig.advance(10).current_operation)

@@ -19,7 +19,7 @@ class RigModule(unittest.TestCase):
         cls.rig = Rig("rig")
 
     def setUp(self):
-        self.rig.reset()
+        self.rig.reset(scene="quick.yaml")
 
     def drilling(self):
         """Quick's bit, a few centimetres into the rock."""
@@ -64,22 +64,10 @@ class RigModule(unittest.TestCase):
         self.rig.reset(scene="autodriller.yaml")
         for speed in (0.2, 0.5):
             self.rig.winch(speed)
-            self.rig.step(12.0)
-            loads = series(list(self.rig.frames(8.0)), "truth.hook_load")
-            self.assertLess(loads.std(), 10e3, speed)  # as much as instruments record of a steady pick-up
-            self.rig.brake()
-            self.rig.step(10.0)
-
-    def test_a_slide_that_stalls_its_motor_is_given_up_and_stops_the_block(self):
-        def overloaded(spec):
-            spec.pop("program", None)
-            spec["operations"] = [{"do": "flow", "flow": 0.03, "ramp": 5.0}, {"do": "tag"}, {"do": "slide", "toolface_deg": 0.0, "weight": 300e3, "distance": 5.0}]
-        self.variant("slide_steering.yaml", overloaded)
-        state = self.rig.step_until(lambda s: s.truth.motor_stalled, timeout=1500.0, every=100)
-        self.assertEqual("slide", state.current_operation)
-        state = self.rig.step_until(lambda s: s.current_operation != "slide", timeout=30.0, every=10)
-        self.assertEqual("", state.current_operation)
-        self.assertTrue(state.brake_set)
+            self.rig.step(25.0)  # what the start has shaken dies away
+            loads = series(list(self.rig.frames(5.0)), "truth.hook_load")
+            self.assertLess(loads.std(), 5e3, speed)
+            self.rig.reset()
 
     def test_gauges_have_outliers_and_the_control_system_a_latency(self):
         def flawed(spec):

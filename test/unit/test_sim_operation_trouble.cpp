@@ -67,8 +67,14 @@ TEST(OperationTroubleWatch, aStallThatStandsForTwoSeconds)
   Readings now;
   now.tared = true;
   watch.begin(now.time);
-  now.differential_pressure = 0.9 * 2.0 * pi * motor.stall_torque / motor.displacement_per_rev;
+  now.differential_pressure = 0.93 * 2.0 * pi * motor.stall_torque / motor.displacement_per_rev;
+  now.rop = 1e-3;
   EXPECT_EQ(look_for(watch, now, drilling(60e3), 20.0), OperationTrouble::none) << "a motor near its limit turns";
+  now.rop = 0.0;
+  EXPECT_EQ(look_for(watch, now, drilling(60e3), 1.8), OperationTrouble::none);
+  EXPECT_EQ(look_for(watch, now, drilling(60e3), 0.4), OperationTrouble::motor_stalled) << "a zero with the pressure that it took off bottom";
+  watch.begin(now.time);
+  now.rop = 1e-3;
   now.differential_pressure = 2.0 * pi * motor.stall_torque / motor.displacement_per_rev;
   EXPECT_EQ(look_for(watch, now, drilling(60e3), 1.8), OperationTrouble::none);
   EXPECT_EQ(look_for(watch, now, drilling(60e3), 0.4), OperationTrouble::motor_stalled);

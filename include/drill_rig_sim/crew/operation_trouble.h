@@ -22,7 +22,9 @@ class OperationTroubleWatch
 {
 public:
   static constexpr double stall_share = 0.97;       ///< of the stall pressure [-]
-  static constexpr double stall_lasts = 2.0;        ///< [s]
+  static constexpr double no_hole_share = 0.9;      ///< the same where no hole is made: the zero was taken with what the motor needs off bottom [-]
+  static constexpr double no_hole = 1e-5;           ///< rate of penetration below which none is made [m/s]
+  static constexpr double stall_lasts = 2.0;        ///< by which the time at it is longer than the time below: a gauge has noise [s]
   static constexpr double over_weight_lasts = 10.0; ///< [s]
   /// Weight on bit far above `wanted` [N]: twice as much, and at least 30 kN more.
   static double over_weight(double wanted) noexcept;
@@ -37,12 +39,14 @@ public:
   void visit(V& v)
   {
     v("running_at", running_at_);
+    v("seen_at", seen_at_);
     v("within_at", within_at_);
   }
 
 private:
   double stall_pressure_ = 0.0;  // of the mud motor; 0: the string has none [Pa]
-  double running_at_ = 0.0;      // when the motor was last below it [s]
+  double running_at_ = 0.0;      // when the motor was last below it; later by the time that it was below since [s]
+  double seen_at_ = 0.0;         // the last look [s]
   double within_at_ = 0.0;       // when the weight was last within its bound [s]
 };
 

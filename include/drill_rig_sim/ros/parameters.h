@@ -65,11 +65,12 @@ struct Parameters
     if (publish_clock) return TimeSource::own;
     return use_sim_time ? TimeSource::other_rig : TimeSource::wall;
   }
-  /// Of a topic's messages [messages]: in lockstep none of a step is lost to a slow subscriber; else a second's frames, so that what
-  /// a busy machine catches up on (Timekeeper::most_backlog) is not lost either.
+  /// Of a topic's messages [messages]: in lockstep, also of a rig that follows another's clock, none of a step is lost to a slow subscriber; else a
+  /// second's frames, so that what a busy machine catches up on (Timekeeper::most_backlog) is not lost either.
   std::uint32_t queue() const noexcept
   {
-    return clock == ClockMode::lockstep ? most_frames_of_step : std::max(10u, static_cast<std::uint32_t>(std::ceil(rate)));
+    const bool by_steps = clock == ClockMode::lockstep || time_source() == TimeSource::other_rig;
+    return by_steps ? most_frames_of_step : std::max(10u, static_cast<std::uint32_t>(std::ceil(rate)));
   }
   /// Between two messages of rig_state.
   std::uint32_t frames_of_state() const noexcept { return static_cast<std::uint32_t>(std::max(1.0, std::round(rate / state_rate))); }
