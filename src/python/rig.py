@@ -151,8 +151,8 @@ class Rig(Lockstep):
 
     def _take(self, name, messages):
         """The last of a kind of telemetry, none or one: the same object until another has come."""
-        last, now = self._telemetry[name], arrived(messages[0]) if messages else None
-        if now is None or last is None or now != last:
+        now = arrived(messages[0]) if messages else None
+        if now != self._telemetry[name]:
             self._telemetry[name] = now
 
     def _rebuilt(self, service, kind, **fields):

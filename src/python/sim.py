@@ -8,7 +8,7 @@
     rig.step_until(lambda s: s.truth.on_bottom, timeout=300)
     run = rig.record(60.0)                  # numpy: run.t, run.readings["hook_load"], run.truth["winch.brake"], run.bit["wob"]
 
-Readings, truth and bit are bit for bit those of a node that runs the same scene at the same rate. Beside a rig's: record(), toolface, survey, inclination and dynamics.
+Readings, truth and bit are bit for bit those of a node that runs the same scene at the same rate. Beside a rig's: record().
 """
 import os
 import typing

@@ -1,7 +1,8 @@
 #include "fault_request.h"
 
-#include <sstream>
 #include <string>
+
+#include "drill_rig_sim/well/problem.h"
 
 namespace drill_rig_sim
 {
@@ -15,12 +16,7 @@ Fault to_fault(const InjectFault::Request& request)
 
 std::string said_of(const Fault& fault, bool cleared)
 {
-  if (fault.kind == FaultKind::stuck_pipe)
-  {
-    std::ostringstream text;
-    text << "the pipe is stuck at " << fault.depth << " m";
-    return cleared ? "the pipe is free" : text.str();
-  }
+  if (fault.kind == FaultKind::stuck_pipe) return cleared ? "the pipe is free" : "the pipe is stuck at " + metres(fault.depth);
   const std::string name = traits_of(fault.kind).word;
   const std::string of = is_of_gauge(fault.kind) ? std::string(" of ") + gauge_names[static_cast<int>(fault.gauge)] : "";
   return name + of + (cleared ? " has ended" : " has begun");

@@ -10,6 +10,7 @@
 #include "drill_rig_sim/crew/refusals.h"
 #include "drill_rig_sim/sim/choice.h"
 #include "drill_rig_sim/sim/faults.h"
+#include "drill_rig_sim/well/problem.h"
 
 namespace drill_rig_sim
 {
@@ -71,12 +72,8 @@ void ask_fault(Simulator& simulator, const Fault& fault, bool clear)
   if (clear) return simulator.clear(fault.kind, fault.gauge);
   const char* wrong = simulator.inject(fault);
   if (wrong == no_pipe_there)
-  {
-    std::ostringstream text;
-    text << "depth is " << fault.depth << "; allowed is a depth where there is pipe in the hole, more than 0 (the rotary table) to " << simulator.truth().bit_depth
-         << " m (the bit)";
-    throw std::runtime_error(text.str());
-  }
+    throw std::runtime_error("depth is " + plain(fault.depth) + "; allowed is a depth where there is pipe in the hole, more than 0 (the rotary table) to " +
+                             metres(simulator.truth().bit_depth) + " (the bit)");
   refuse_if(wrong);
 }
 
