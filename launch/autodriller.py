@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """A first controller: turns the string and feeds the bit so that 10 kN weigh on it. After a reset of the well it begins again."""
 import rospy
 from drill_rig_sim.msg import RigState, TopDriveCommand, WinchCommand

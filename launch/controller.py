@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """A node that runs a control law of drill_rig_sim against the rig of its namespace: ~law (of LAWS, FILE.py:CLASS or PACKAGE.MODULE:CLASS) and its
 arguments ~settings.
 

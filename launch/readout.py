@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """The demo's driller's readout: goes fast to just before the bit tags bottom, then shows the rig in real time, line by line."""
 import argparse
 import atexit

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """A rig for a learner, as Gymnasium's environments are: hold 10 kN on bit by the block's speed. Run by itself it plays one episode by a fixed rule."""
 import numpy
 from drill_rig_sim.sim import Simulator

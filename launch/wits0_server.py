@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Sends what the rig's instruments show as WITS level 0 over TCP: record 01 from rig_state, record 07 from downhole/mwd and downhole/toolface.
 What clients send is not looked at."""
 import sys

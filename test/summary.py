@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Counts the cases in the JUnit files of ctest, gtest and rostest under a folder: names those that failed, ends with
 'N passed, N failed, N skipped'. What ctest and rostest say of programs that count their own cases is left out unless it failed."""
 import pathlib

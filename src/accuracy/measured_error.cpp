@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/accuracy/measured_error.h"
 
 #include <algorithm>
@@ -39,7 +40,9 @@ double MeasuredError::absolute_error(Output output) const noexcept
 double MeasuredError::scale(Output output) const noexcept
 {
   const double own = differences_[static_cast<std::size_t>(output)].scale();
-  return output == Output::wob ? std::max(own, weight_of_hook_load * differences_[static_cast<std::size_t>(Output::hook_load)].level()) : own;
+  return output == Output::wob
+             ? std::max(own, weight_of_hook_load * differences_[static_cast<std::size_t>(Output::hook_load)].level())
+             : own;
 }
 
 double MeasuredError::error(Output output) const noexcept

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/accuracy/output_difference.h"
 
 #include <algorithm>
@@ -49,7 +50,8 @@ StatisticDifferences OutputDifference::statistics() const noexcept
   const WindowStatistics::Summary one = statistics_.summary(), other = statistics_other_.summary();
   return {std::abs(one.mean - other.mean), std::abs(one.deviation - other.deviation),
           std::max(std::abs(one.least - other.least), std::abs(one.largest - other.largest)),
-          one.period > 0.0 && other.period > 0.0 ? std::abs(one.period / other.period - 1.0) : std::numeric_limits<double>::quiet_NaN()};
+          one.period > 0.0 && other.period > 0.0 ? std::abs(one.period / other.period - 1.0)
+                                                 : std::numeric_limits<double>::quiet_NaN()};
 }
 
 double OutputDifference::scale() const noexcept

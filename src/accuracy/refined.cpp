@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/accuracy/refined.h"
 
 namespace drill_rig_sim
@@ -25,7 +26,8 @@ const char* why_not_measured(const NumericsSpec& numerics) noexcept
 {
   if (chosen_companion(numerics) != CompanionKind::none) return "";
   if (numerics.companion == CompanionKind::none) return "numerics.companion is none";
-  return numerics.level == Level::automatic ? "the method of numerics.integrator has no companion" : "numerics.level is set by hand and numerics.companion is not";
+  return numerics.level == Level::automatic ? "the method of numerics.integrator has no companion"
+                                            : "numerics.level is set by hand and numerics.companion is not";
 }
 
 }  // namespace drill_rig_sim

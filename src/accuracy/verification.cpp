@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/accuracy/verification.h"
 
 #include <algorithm>
@@ -14,11 +15,12 @@ constexpr double rounding = 1e-6;                // of sums of frames [s]
 
 Verification::Verification(double tolerance, unsigned needs) : tolerance_(tolerance), needs_(needs)
 {
-  for (std::size_t i = 0; i < output_count; ++i) rows_[i].to_finest = rows_[i].between_finer = OutputDifference(static_cast<Output>(i));
+  for (std::size_t i = 0; i < output_count; ++i)
+    rows_[i].to_finest = rows_[i].between_finer = OutputDifference(static_cast<Output>(i));
 }
 
-void Verification::add(const Outputs& run, const Outputs& finer, const Outputs& finest, bool warned, const Outputs& measured, double time,
-                       double duration)
+void Verification::add(const Outputs& run, const Outputs& finer, const Outputs& finest, bool warned, const Outputs& measured,
+                       double time, double duration)
 {
   for (std::size_t i = 0; i < output_count; ++i)
   {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/accuracy/window_statistics.h"
 
 #include <algorithm>
@@ -7,8 +8,8 @@ namespace drill_rig_sim
 {
 namespace
 {
-constexpr double frame_rounding = 1e-9;      // of sums of frames [s]
-constexpr double half_deviation = 0.5;  // of which noise about the mean makes no rise
+constexpr double frame_rounding = 1e-9;  // of sums of frames [s]
+constexpr double half_deviation = 0.5;   // of which noise about the mean makes no rise
 constexpr int fewest_rises = 3;
 }  // namespace
 

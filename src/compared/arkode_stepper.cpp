@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/compared/arkode_stepper.h"
 
 #include <nvector/nvector_serial.h>
@@ -32,7 +33,6 @@ struct FreeTable
 {
   void operator()(ARKodeButcherTable table) const { ARKodeButcherTable_Free(table); }
 };
-
 
 using Vector = Eigen::Map<Eigen::VectorXd>;
 using ConstVector = Eigen::Map<const Eigen::VectorXd>;
@@ -96,7 +96,7 @@ private:
 };
 
 ArkodeStepper::Session::Session(const Model& m, Stage& s, Workspace& w)
-  : model(m), stage(s), work(w), residual_(6 * m.nodes()), right_(6 * m.nodes())
+    : model(m), stage(s), work(w), residual_(6 * m.nodes()), right_(6 * m.nodes())
 {
   tangent_.resize(model.nodes(), model.kernel());
   limits.tolerance = model.scene().numerics.newton_tolerance;
@@ -328,7 +328,7 @@ int ArkodeStepper::Session::judge() noexcept
 }
 
 ArkodeStepper::ArkodeStepper(std::shared_ptr<const Model> model)
-  : HalvingIntegrator(std::move(model)), session_(std::make_unique<Session>(*model_, stage_, work_))
+    : HalvingIntegrator(std::move(model)), session_(std::make_unique<Session>(*model_, stage_, work_))
 {
 }
 

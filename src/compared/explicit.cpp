@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Central differences (leapfrog), the rates half a step behind the places:
 //   rate = rate_n + h acceleration_n,   u = h rate,   acceleration = M^-1 (forces at the end of the step, with these rates).
 // One evaluation a step. The rotor, condensed as always, takes the trapezoidal rule for the turn of the string's top.
@@ -17,7 +18,7 @@ bool step_explicit(StepContext& context) noexcept
   Stage& stage = context.stage;
   stage.dv_du = stage.da_du = 0.0;
   const double late = state.memory.last_step > 0.0 ? h : 0.5 * h;  // the first rates are no half step behind
-  double sum = 0.0;  // finite if all are
+  double sum = 0.0;                                                // finite if all are
   for (std::size_t i = 0; i < state.nodes.size(); ++i)
   {
     const Eigen::Vector3d& n = stage.normal[i];
@@ -40,7 +41,14 @@ bool step_explicit(StepContext& context) noexcept
 }
 }  // namespace
 
-const Method explicit_differences = {IntegratorKind::central_differences, "explicit", "central differences, second order, short steps only", step_explicit, remember_acceleration, 1,
-                                     false, nullptr, nullptr};
+const Method explicit_differences = {IntegratorKind::central_differences,
+                                     "explicit",
+                                     "central differences, second order, short steps only",
+                                     step_explicit,
+                                     remember_acceleration,
+                                     1,
+                                     false,
+                                     nullptr,
+                                     nullptr};
 
 }  // namespace drill_rig_sim

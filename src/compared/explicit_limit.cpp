@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/compared/explicit_limit.h"
 
 #include <algorithm>
@@ -86,7 +87,8 @@ void check_explicit_step(const Model& model, const State& state)
   const double limit = explicit_step_limit(model, state), step = model.scene().numerics.step;
   if (step <= limit) return;
   std::ostringstream message;
-  message << "numerics.step: " << step << " s is beyond the stability limit of the explicit method, " << limit << " s for this string";
+  message << "numerics.step: " << step << " s is beyond the stability limit of the explicit method, " << limit
+          << " s for this string";
   throw std::runtime_error(message.str());
 }
 

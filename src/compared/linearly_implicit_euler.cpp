@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Linearly implicit Euler: implicit Euler with its forces linearised about the start of the step, which is one Newton iteration
 // from u = 0. Hairer and Wanner, Solving ODEs II, IV.9.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/compared/rotation_vector_beam.h"
 
 #include <cmath>
@@ -145,7 +146,7 @@ struct Middle
   End upper, lower;
   Vector3d d, t, psi, eta;
   Coefficients c;
-  Matrix3d j, dj;  // J, DJ[eta]
+  Matrix3d j, dj;                         // J, DJ[eta]
   double excess, lack, torsion, bending;  // as in the geometrically exact element
   Vector3d n, m, q;
 };
@@ -170,7 +171,8 @@ Middle middle_of(const BeamSection& s, const BeamPose& pose, const BeamDamping& 
   const Vector3d psi_upper = k.upper.inverse * damping.upper_turning, psi_lower = k.lower.inverse * damping.lower_turning;
   const Vector3d psi_rate = 0.5 * (psi_upper + psi_lower);
   const double stretch_rate = inverse * (k.t.dot(damping.velocity) + k.t.cross(k.d).dot(k.j * psi_rate));
-  const Vector3d turn_rate = k.j * (psi_lower - psi_upper) + k.dj * psi_rate;  // L w', w = J psi' of the sections: in their axes the rate of turn
+  const Vector3d turn_rate =
+      k.j * (psi_lower - psi_upper) + k.dj * psi_rate;  // L w', w = J psi' of the sections: in their axes the rate of turn
   const double twist_rate = k.t.dot(turn_rate);
   const double damped = 1.0 + damping.time * damping.dv_du;
   k.excess = inverse * (damped * s.axial - s.shear);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/contact/bit_cut.h"
 
 #include <algorithm>
@@ -69,7 +70,8 @@ CutWeight resting_cut_weight(const BitCutLaw& law, double depth) noexcept
 CutArms cut_arms(const BitTorqueSpec& spec, double diameter, const FormationLayer& rock) noexcept
 {
   const double a = 0.5 * diameter;
-  const double cutting = spec.cutting_energy > 0.0 ? pi * spec.cutting_energy * a * a * rock.drillability : 0.5 * a / cutter_inclination;
+  const double cutting =
+      spec.cutting_energy > 0.0 ? pi * spec.cutting_energy * a * a * rock.drillability : 0.5 * a / cutter_inclination;
   return {cutting, 0.5 * spec.wear_friction * a};
 }
 

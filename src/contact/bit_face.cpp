@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/contact/bit_face.h"
 
 #include <cmath>
@@ -7,7 +8,8 @@ namespace drill_rig_sim
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-BitFaceFriction bit_face_friction(double resistance, double radius, const Vector3d& velocity, double speed, const Vector3d& down) noexcept
+BitFaceFriction bit_face_friction(double resistance, double radius, const Vector3d& velocity, double speed,
+                                  const Vector3d& down) noexcept
 {
   constexpr double creep = 0.01;  // [m/s]
   const Matrix3d across = Matrix3d::Identity() - down * down.transpose();

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/contact/cut_ground.h"
 
 #include <algorithm>
@@ -23,12 +24,14 @@ std::size_t in_ring(double number) noexcept
   return static_cast<std::size_t>(number - std::floor(number / CutGround::cells) * CutGround::cells);
 }
 
-/// Of the ring as the blades have left it: the last cell passed, and the part of the next that is behind them, count as they are cut.
+/// Of the ring as the blades have left it: the last cell passed, and the part of the next that is behind them, count as they are
+/// cut.
 double mean_height(const CutGround& ground, double front) noexcept
 {
   const double last = std::floor(front), behind = ground.heights[in_ring(last)], ahead = ground.heights[in_ring(last + 1.0)];
   const double sum = std::accumulate(ground.heights.begin(), ground.heights.end(), 0.0);
-  return (sum + std::max(0.0, ground.pending - behind) + (front - last) * std::max(0.0, ground.height - ahead)) / CutGround::cells;
+  return (sum + std::max(0.0, ground.pending - behind) + (front - last) * std::max(0.0, ground.height - ahead)) /
+         CutGround::cells;
 }
 }  // namespace
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/contact/wall_contact.h"
 
 #include <Eigen/Geometry>
@@ -46,8 +47,8 @@ void fill_result(const one_lane::Wall& w, const V3& friction, double lever, Wall
   out.moment = to_eigen(lever * cross(w.n, friction));
 }
 
-WallForce evaluate(const ClosestPoint& closest, double radius, const ContactMotion& motion, const Vector3d& bristle, const WallLaw& law,
-                   Tangent* tangent) noexcept
+WallForce evaluate(const ClosestPoint& closest, double radius, const ContactMotion& motion, const Vector3d& bristle,
+                   const WallLaw& law, Tangent* tangent) noexcept
 {
   one_lane::Contact c = contact_of(closest, radius, motion.position, law);
   c.displacement = from(motion.displacement);
@@ -86,8 +87,9 @@ WallForce wall_contact(const ClosestPoint& closest, double radius, const Contact
   return evaluate(closest, radius, motion, bristle, law, &tangent);
 }
 
-WallForce sliding_wall_contact(const ClosestPoint& closest, double radius, const Eigen::Vector3d& position, const SlidingMotion& sliding,
-                               const WallLaw& law, Eigen::Ref<Eigen::Matrix<double, 6, 6>> tangent) noexcept
+WallForce sliding_wall_contact(const ClosestPoint& closest, double radius, const Eigen::Vector3d& position,
+                               const SlidingMotion& sliding, const WallLaw& law,
+                               Eigen::Ref<Eigen::Matrix<double, 6, 6>> tangent) noexcept
 {
   const one_lane::Contact c = contact_of(closest, radius, position, law);
   one_lane::Wall w;

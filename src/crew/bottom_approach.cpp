@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/crew/bottom_approach.h"
 
 #include <algorithm>
@@ -10,11 +11,12 @@ namespace drill_rig_sim
 {
 namespace
 {
-constexpr double at_bottom = 0.002;                  // a bit that is less above bottom by the readings is there [m]
+constexpr double at_bottom = 0.002;                      // a bit that is less above bottom by the readings is there [m]
 constexpr double turns_round = 2.0 * sheave_presliding;  // the friction of the sheaves, over this way [m]
 }  // namespace
 
-void BottomApproach::begin(const Readings& now, const HookedString& string, double weight, double speed, bool zeroes, bool heaves) noexcept
+void BottomApproach::begin(const Readings& now, const HookedString& string, double weight, double speed, bool zeroes,
+                           bool heaves) noexcept
 {
   *this = BottomApproach();
   begun = true;

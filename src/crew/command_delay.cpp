@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/crew/command_delay.h"
 
 #include <algorithm>
@@ -10,9 +11,10 @@ namespace
 {
 constexpr std::size_t samples = 400;  // in the longest dead time
 constexpr double long_ago = -1e30;    // [s]
-}
+}  // namespace
 
-CommandDelay::CommandDelay(double plc, double drawworks) : plc_(plc), drawworks_(drawworks), spacing_((plc + drawworks) / static_cast<double>(samples))
+CommandDelay::CommandDelay(double plc, double drawworks)
+    : plc_(plc), drawworks_(drawworks), spacing_((plc + drawworks) / static_cast<double>(samples))
 {
   if (!is_on()) return;
   line_.resize(samples + 2);

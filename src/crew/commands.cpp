@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/crew/commands.h"
 
 #include <algorithm>
@@ -65,7 +66,8 @@ const char* what_is_wrong(const TopDriveSetpoint& c) noexcept
   const bool swings = goal_of(c.mode) == DriveGoal::swing;
   if (!std::isfinite(c.speed) || !std::isfinite(c.torque) || !std::isfinite(c.angle) || !std::isfinite(c.torque_limit))
     return "speed, torque, angle and torque_limit: must be finite";
-  if (!std::isfinite(c.amplitude_right) || !std::isfinite(c.amplitude_left)) return "amplitude_right and amplitude_left: must be finite";
+  if (!std::isfinite(c.amplitude_right) || !std::isfinite(c.amplitude_left))
+    return "amplitude_right and amplitude_left: must be finite";
   if (c.amplitude_right < 0.0 || c.amplitude_left < 0.0) return "amplitude_right and amplitude_left: must not be negative";
   if (swings && c.amplitude_right + c.amplitude_left == 0.0)
     return "amplitude_right and amplitude_left: one of them must be above 0 in OSCILLATE";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/crew/connection.h"
 
 #include <algorithm>
@@ -31,7 +32,8 @@ double running_time(const HoistingSpec& spec, double travel) noexcept
 double weight_on(const Model& model, int i, double z) noexcept
 {
   const std::vector<MeshNode>& nodes = model.mesh().nodes;
-  const auto height = [&](int k) { return z + nodes[static_cast<std::size_t>(k)].from_bit - nodes[static_cast<std::size_t>(i)].from_bit; };
+  const auto height = [&](int k)
+  { return z + nodes[static_cast<std::size_t>(k)].from_bit - nodes[static_cast<std::size_t>(i)].from_bit; };
   const auto half = [&](int e) { return 0.5 * model.element_weight(e, height(e), height(e + 1), full_bore); };
   return half(i - 1) + (i < model.top() ? half(i) : 0.0);
 }
@@ -77,7 +79,8 @@ BlockRun block_run(const HoistingSpec& spec, const ConnectionState& connection) 
   return {connection.travel * (share - std::sin(turn) / (2.0 * pi)), connection.travel / time * (1.0 - std::cos(turn))};
 }
 
-double shown_while_broken_out(const HoistingSpec& spec, const ConnectionState& connection, double held, double between, double after) noexcept
+double shown_while_broken_out(const HoistingSpec& spec, const ConnectionState& connection, double held, double between,
+                              double after) noexcept
 {
   const double quarter = 0.25 * spec.connection_time;
   const double broken = smooth(connection.elapsed / quarter);

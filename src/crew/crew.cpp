@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/crew/crew.h"
 
 #include <algorithm>
@@ -8,7 +9,8 @@ namespace drill_rig_sim
 {
 const char* text_of(CrewTask task) noexcept
 {
-  static constexpr const char* words[] = {"", "stopping", "lifting", "quieting", "slacking", "connecting", "picking_up", "restarting", "lowering"};
+  static constexpr const char* words[] = {"",           "stopping",   "lifting",    "quieting", "slacking",
+                                          "connecting", "picking_up", "restarting", "lowering"};
   return words[static_cast<std::size_t>(task)];
 }
 

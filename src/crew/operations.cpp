@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/crew/operations.h"
 
 #include <algorithm>
@@ -15,7 +16,8 @@ namespace drill_rig_sim
 namespace
 {
 constexpr double arrived = 0.01;  // from where a trip ends [m]
-constexpr double tags_from = 0.05;  // above bottom, a rig without waves: on the way the friction of sheaves and rail turns round [m]
+constexpr double tags_from =
+    0.05;  // above bottom, a rig without waves: on the way the friction of sheaves and rail turns round [m]
 
 /// 1 once `value` has come from `from` to `to`.
 double share(double value, double from, double to) noexcept
@@ -77,7 +79,12 @@ bool PressureTrend::is_steady() const noexcept
   return std::abs(fast_mean - slow_mean) <= std::max(share * std::abs(slow_mean), resolution);
 }
 
-OperationsPlayer::OperationsPlayer(const Scene& scene) : operations_(scene.operations), acceleration_(scene.rig.hoisting.max_acceleration), tag_settles_(tag_settles + scene.rig.heave.wave_period()), began_(operations_.size() + 1, Operation::unset), watch_(scene)
+OperationsPlayer::OperationsPlayer(const Scene& scene)
+    : operations_(scene.operations),
+      acceleration_(scene.rig.hoisting.max_acceleration),
+      tag_settles_(tag_settles + scene.rig.heave.wave_period()),
+      began_(operations_.size() + 1, Operation::unset),
+      watch_(scene)
 {
   if (!operations_.empty()) string_ = string_of(scene);
 }
@@ -152,7 +159,8 @@ void OperationsPlayer::begin(RigControls& rig) noexcept
     ramp_ = {keeps_speed(drive.mode) ? drive.speed : now.top_drive_speed, o.rotary_speed, now.time, o.ramp, true};
   if (o.kind == OperationKind::pick_up) rig.command(WinchSetpoint{o.speed, false});
   if (needs_crew(o.kind)) rig.call_crew(true);
-  if (o.kind == OperationKind::trip && o.to_depth > now.hole_depth + arrived) rig.fail("operations: trip goes below the bottom of the hole");
+  if (o.kind == OperationKind::trip && o.to_depth > now.hole_depth + arrived)
+    rig.fail("operations: trip goes below the bottom of the hole");
   if (o.kind == OperationKind::slack_off || o.kind == OperationKind::tag)
   {
     const bool zeroed = is_set(o.weight) && rig.tare();  // on bottom it keeps the zero it had
@@ -180,7 +188,8 @@ void OperationsPlayer::begin_tag(RigControls& rig, bool zeroed) noexcept
   pressure_at_ = now.time;
   lifts_ = zeroed && rig.scene().rig.heave.amplitude == 0.0 && now.hole_depth - now.bit_depth < tags_from;
   lift_to_ = now.block_height + tags_from - (now.hole_depth - now.bit_depth);
-  if (!zeroed && !now.tared) rig.fail("operations: tag: the weight on bit cannot be zeroed on bottom or in the slips, needed: pick_up first");
+  if (!zeroed && !now.tared)
+    rig.fail("operations: tag: the weight on bit cannot be zeroed on bottom or in the slips, needed: pick_up first");
 }
 
 void OperationsPlayer::follow(RigControls& rig) noexcept
@@ -290,9 +299,12 @@ void OperationsPlayer::follow_trip(RigControls& rig) noexcept
   const double left = std::max(0.0, way_to_go(now)), lost = acceleration_ * (now.time - followed_at_);
   followed_at_ = now.time;
   if (has_begun && now.stop_reached && up == is_high)
-    rig.fail(up ? "operations: the block is at its highest place, and there is no stand to take away" : "operations: the block is at its lowest place, and no stand can be added");
+    rig.fail(up ? "operations: the block is at its highest place, and there is no stand to take away"
+                : "operations: the block is at its lowest place, and no stand can be added");
   if (has_begun && o.kind == OperationKind::connection && !crew_came_ && !up && left < arrived)
-    rig.fail("operations: connection: the bit reaches bottom before the block is low enough to add a stand, needed: drill deeper first");
+    rig.fail(
+        "operations: connection: the bit reaches bottom before the block is low enough to add a stand, needed: drill deeper "
+        "first");
   const double speed = std::min(o.speed, std::sqrt(lost * lost + 2.0 * acceleration_ * left) - lost);
   rig.command(WinchSetpoint{up ? speed : -speed, false});
 }
@@ -337,7 +349,8 @@ double OperationsPlayer::progress(const RigControls& rig) const noexcept
   }
   if (o.kind == OperationKind::steer || (o.kind == OperationKind::oscillate && !is_set(o.time))) return 1.0;
   double nearest = progress_in_place(rig);
-  if (is_set(o.time)) nearest = std::max(nearest, o.time > 0.0 ? share(now.time + time_rounding, began_[next_], began_[next_] + o.time) : 1.0);
+  if (is_set(o.time))
+    nearest = std::max(nearest, o.time > 0.0 ? share(now.time + time_rounding, began_[next_], began_[next_] + o.time) : 1.0);
   if (is_set(o.overpull)) nearest = std::max(nearest, share(now.hook_load, began_load_, began_load_ + o.overpull));
   const bool on_its_way = o.kind == OperationKind::tag && (lifts_ || (!settled_ && now.bit_depth < now.hole_depth));
   const bool by_weight = o.kind == OperationKind::slack_off || (o.kind == OperationKind::tag && !on_its_way);
@@ -359,8 +372,10 @@ double OperationsPlayer::progress_in_place(const RigControls& rig) const noexcep
   if (o.kind == OperationKind::connection) return crew_came_ ? 1.0 : 0.0;
   if (o.kind == OperationKind::trip) return way_to_go(now) < arrived ? 1.0 : share(now.bit_depth, began_bit_, o.to_depth);
   double nearest = 0.0;
-  if (is_set(o.to_depth)) nearest = (o.kind == OperationKind::pick_up ? here <= o.to_depth : here >= o.to_depth) ? 1.0 : share(here, from, o.to_depth);
-  if (is_set(o.distance)) nearest = std::max(nearest, std::abs((drills ? here - from : now.block_height + rise(now) - began_block_) / o.distance));
+  if (is_set(o.to_depth))
+    nearest = (o.kind == OperationKind::pick_up ? here <= o.to_depth : here >= o.to_depth) ? 1.0 : share(here, from, o.to_depth);
+  if (is_set(o.distance))
+    nearest = std::max(nearest, std::abs((drills ? here - from : now.block_height + rise(now) - began_block_) / o.distance));
   return std::min(nearest, 1.0);
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/crew/program.h"
 
 #include <algorithm>
@@ -15,8 +16,9 @@ namespace
 {
 bool commands_top_drive(const ProgramStep& step) noexcept
 {
-  return step.top_drive_mode >= 0 || is_set(step.top_drive_speed) || is_set(step.top_drive_torque) || is_set(step.top_drive_angle) ||
-         is_set(step.amplitude_right) || is_set(step.amplitude_left) || is_set(step.torque_limit) || is_set(step.top_drive_brake);
+  return step.top_drive_mode >= 0 || is_set(step.top_drive_speed) || is_set(step.top_drive_torque) ||
+         is_set(step.top_drive_angle) || is_set(step.amplitude_right) || is_set(step.amplitude_left) ||
+         is_set(step.torque_limit) || is_set(step.top_drive_brake);
 }
 
 /// By the line's own word or its keys; what says nothing of it leaves it.
@@ -78,7 +80,8 @@ void ProgramPlayer::apply(RigControls& rig) noexcept
 
 bool ProgramPlayer::finished() const noexcept
 {
-  return next_ == steps_.size() && !block_velocity_.running && !top_drive_speed_.running && !top_drive_torque_.running && !flow_.running;
+  return next_ == steps_.size() && !block_velocity_.running && !top_drive_speed_.running && !top_drive_torque_.running &&
+         !flow_.running;
 }
 
 void ProgramPlayer::rewind() noexcept
@@ -105,7 +108,8 @@ void ProgramPlayer::begin(const ProgramStep& step, RigControls& rig) noexcept
   if (is_set(step.slips))
     if (const char* refused = rig.set_slips(step.slips == 1.0)) rig.fail(refused);
   if (is_set(step.connection))
-    if (const char* refused = rig.make_connection(static_cast<int>(std::abs(step.connection)), step.connection < 0.0)) rig.fail(refused);
+    if (const char* refused = rig.make_connection(static_cast<int>(std::abs(step.connection)), step.connection < 0.0))
+      rig.fail(refused);
   if (is_set(step.free_length) && !rig.set_free_length(step.free_length))
     rig.fail("program: free_length is longer than before, allowed: shorter than before");
   if (is_set(step.stuck_at) && !rig.stick_pipe(step.stuck_at))
@@ -138,7 +142,9 @@ void ProgramPlayer::begin_top_drive(const ProgramStep& step, RigControls& rig) n
   if (drive.mode != before) top_drive_speed_.running = top_drive_torque_.running = false;
   if (is_set(step.top_drive_speed))
   {
-    const double from = turns_to_angle(drive.mode) ? step.top_drive_speed : keeps_speed(before) && !drive.brake ? drive.speed : truth.top_drive_speed;
+    const double from = turns_to_angle(drive.mode)            ? step.top_drive_speed
+                        : keeps_speed(before) && !drive.brake ? drive.speed
+                                                              : truth.top_drive_speed;
     top_drive_speed_ = ramp_of(step, from, step.top_drive_speed);
     drive.speed = top_drive_speed_.value(step.at);
   }

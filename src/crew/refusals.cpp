@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/crew/refusals.h"
 
 #include <algorithm>
@@ -32,7 +33,8 @@ const char* why_no_connection(const StringAtTable& now) noexcept
 
 const char* why_locked(const WinchSetpoint& command, const StringAtTable& now) noexcept
 {
-  return now.broken_out && moves(command) ? "the connection is broken out: the crew moves the block until it is made up" : nullptr;
+  return now.broken_out && moves(command) ? "the connection is broken out: the crew moves the block until it is made up"
+                                          : nullptr;
 }
 
 const char* why_locked(const TopDriveSetpoint& command, const StringAtTable& now) noexcept
@@ -48,13 +50,15 @@ const char* why_locked(const PumpSetpoint& command, const StringAtTable& now) no
 const char* what_is_wrong(const Scene& scene, double bit_depth, double hole_depth, const Fault& fault) noexcept
 {
   const FaultPlace place = traits_of(fault.kind).place;
-  if (scene.numerics.integrator == IntegratorKind::ida && !traits_of(fault.kind).by_ida) return "fault: not available by integrator ida";
+  if (scene.numerics.integrator == IntegratorKind::ida && !traits_of(fault.kind).by_ida)
+    return "fault: not available by integrator ida";
   if (needs_pipe(fault.kind) && !(fault.depth > 0.0 && fault.depth <= bit_depth)) return no_pipe_there;
   if (place == FaultPlace::in_hole && !(fault.depth > 0.0 && fault.depth <= hole_depth))
     return "depth: allowed is a place of the hole, above 0 (the rotary table) and not below its bottom";
   if (place == FaultPlace::from_there_down && !(fault.depth >= 0.0 && fault.depth <= hole_depth))
     return "depth: allowed is 0 (all of the hole) to the hole's bottom";
-  const bool has_motor = std::any_of(scene.string.begin(), scene.string.end(), [](const PartSpec& part) { return part.motor.has_value(); });
+  const bool has_motor =
+      std::any_of(scene.string.begin(), scene.string.end(), [](const PartSpec& part) { return part.motor.has_value(); });
   if (fault.kind == FaultKind::motor_stall && !has_motor) return "fault: there is no mud motor in the string";
   return what_is_wrong_with_magnitude(fault);
 }

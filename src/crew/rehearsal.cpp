@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/crew/rehearsal.h"
 
 #include <algorithm>
@@ -25,7 +26,8 @@ constexpr double least_margin = 1.0;   // of the bit's depth, by starts of pump 
 class BareRig final : public RigControls
 {
 public:
-  explicit BareRig(const Scene& scene) : scene_(scene), by_others_(!scene.operations.empty() || scene.connections == Connections::automatic)
+  explicit BareRig(const Scene& scene)
+      : scene_(scene), by_others_(!scene.operations.empty() || scene.connections == Connections::automatic)
   {
     truth_.bit_depth = deepest_ = scene.start.bit_depth;
     truth_.hole_depth = scene.well.hole_depth;
@@ -51,7 +53,8 @@ public:
   {
     const double bit = deepest_bit();
     if (const char* wrong = what_is_wrong(scene_, bit, std::max(truth_.hole_depth, bit), fault)) return wrong;
-    gripped_ = gripped_ || fault.kind == FaultKind::stuck_pipe || fault.kind == FaultKind::differential_sticking || fault.kind == FaultKind::pack_off;
+    gripped_ = gripped_ || fault.kind == FaultKind::stuck_pipe || fault.kind == FaultKind::differential_sticking ||
+               fault.kind == FaultKind::pack_off;
     falls_ = falls_ || fault.kind == FaultKind::brake_slip;
     return nullptr;
   }
@@ -89,7 +92,9 @@ public:
     }
     const WinchSetpoint winch = broken_out_ ? WinchSetpoint{0.0, true} : commands_.asked.winch;
     const double before = winch_speed_;
-    winch_speed_ = advance_winch(spec, winch, strung_length(spec, truth_.block_height), before, truth_.block_height, spec.min_hook_load, step).speed;
+    winch_speed_ = advance_winch(spec, winch, strung_length(spec, truth_.block_height), before, truth_.block_height,
+                                 spec.min_hook_load, step)
+                       .speed;
     const double way = 0.5 * (before + winch_speed_) * step;
     truth_.block_height += way;
     has_moved_ = has_moved_ || way != 0.0;
@@ -135,8 +140,8 @@ private:
   Truth truth_;
   Readings readings_;
   const char* failure_ = nullptr;
-  double winch_speed_ = 0.0, deepest_ = 0.0;     // [m/s], [m]
-  double travel_ = 0.0, made_up_at_ = 0.0;       // of the connection under way [m], [s]
+  double winch_speed_ = 0.0, deepest_ = 0.0;  // [m/s], [m]
+  double travel_ = 0.0, made_up_at_ = 0.0;    // of the connection under way [m], [s]
   bool in_slips_ = false, broken_out_ = false, has_moved_ = false, gripped_ = false, falls_ = false;
 };
 
@@ -164,7 +169,8 @@ std::optional<Problem> refused_line(const Scene& scene, double until)
     }
     const bool by_ramp = rig.failure() && i > 0 && way > 0.0;  // of an earlier line, which is locked by now
     if (!rig.failure()) player.apply(rig);
-    if (rig.failure()) return Problem(item_key("program", by_ramp ? i - 1 : i), text_of(rig.failure(), by_ramp ? rig.truth().time : at));
+    if (rig.failure())
+      return Problem(item_key("program", by_ramp ? i - 1 : i), text_of(rig.failure(), by_ramp ? rig.truth().time : at));
   }
   return std::nullopt;
 }

@@ -1,51 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SRC_FMI_FMI2_H
 #define DRILL_RIG_SIM_SRC_FMI_FMI2_H
 
 #include <cstddef>
 
-/// Types of the C interface of FMI 2.0 for co-simulation (Functional Mock-up Interface 2.0.4, 2.1 and 4.2), with its numbers and its order of fields.
+/// Types of the C interface of FMI 2.0 for co-simulation (Functional Mock-up Interface 2.0.4, 2.1 and 4.2), with its numbers and
+/// its order of fields.
 extern "C"
 {
-using fmi2Component = void*;
-using fmi2ComponentEnvironment = void*;
-using fmi2FMUstate = void*;
-using fmi2ValueReference = unsigned int;
-using fmi2Real = double;
-using fmi2Integer = int;
-using fmi2Boolean = int;
-using fmi2String = const char*;
-using fmi2Byte = char;
+  using fmi2Component = void*;
+  using fmi2ComponentEnvironment = void*;
+  using fmi2FMUstate = void*;
+  using fmi2ValueReference = unsigned int;
+  using fmi2Real = double;
+  using fmi2Integer = int;
+  using fmi2Boolean = int;
+  using fmi2String = const char*;
+  using fmi2Byte = char;
 
-enum fmi2Status
-{
-  fmi2OK,
-  fmi2Warning,
-  fmi2Discard,
-  fmi2Error,
-  fmi2Fatal,
-  fmi2Pending
-};
-enum fmi2Type
-{
-  fmi2ModelExchange,
-  fmi2CoSimulation
-};
-enum fmi2StatusKind
-{
-  fmi2DoStepStatus,
-  fmi2PendingStatus,
-  fmi2LastSuccessfulTime,
-  fmi2Terminated
-};
+  enum fmi2Status
+  {
+    fmi2OK,
+    fmi2Warning,
+    fmi2Discard,
+    fmi2Error,
+    fmi2Fatal,
+    fmi2Pending
+  };
+  enum fmi2Type
+  {
+    fmi2ModelExchange,
+    fmi2CoSimulation
+  };
+  enum fmi2StatusKind
+  {
+    fmi2DoStepStatus,
+    fmi2PendingStatus,
+    fmi2LastSuccessfulTime,
+    fmi2Terminated
+  };
 
-struct fmi2CallbackFunctions
-{
-  void (*logger)(fmi2ComponentEnvironment environment, fmi2String instance, fmi2Status status, fmi2String category, fmi2String message, ...);
-  void* (*allocateMemory)(std::size_t count, std::size_t size);
-  void (*freeMemory)(void* memory);
-  void (*stepFinished)(fmi2ComponentEnvironment environment, fmi2Status status);
-  fmi2ComponentEnvironment componentEnvironment;
-};
+  struct fmi2CallbackFunctions
+  {
+    void (*logger)(fmi2ComponentEnvironment environment, fmi2String instance, fmi2Status status, fmi2String category,
+                   fmi2String message, ...);
+    void* (*allocateMemory)(std::size_t count, std::size_t size);
+    void (*freeMemory)(void* memory);
+    void (*stepFinished)(fmi2ComponentEnvironment environment, fmi2Status status);
+    fmi2ComponentEnvironment componentEnvironment;
+  };
 }
 
 #endif

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The C functions of FMI 2.0 for co-simulation (Functional Mock-up Interface 2.0.4, 2.1 and 4.2), over FmuRig.
 #include <cctype>
 #include <cstdlib>
@@ -31,7 +32,8 @@ struct Instance
 void say(const Instance& i, fmi2Status status, const std::string& text)
 {
   if (i.callbacks.logger == nullptr || (status == fmi2Warning && !i.logging)) return;
-  i.callbacks.logger(i.callbacks.componentEnvironment, i.name.c_str(), status, status == fmi2Warning ? "logStatusWarning" : "logStatusError", "%s", text.c_str());
+  i.callbacks.logger(i.callbacks.componentEnvironment, i.name.c_str(), status,
+                     status == fmi2Warning ? "logStatusWarning" : "logStatusError", "%s", text.c_str());
 }
 
 /// Runs what may throw; no exception leaves the library.
@@ -52,7 +54,8 @@ fmi2Status guarded(fmi2Component component, const Work& work)
 }
 
 template <class Value>
-fmi2Status get(fmi2Component component, const fmi2ValueReference* references, std::size_t count, Value* values, std::initializer_list<VariableType> types)
+fmi2Status get(fmi2Component component, const fmi2ValueReference* references, std::size_t count, Value* values,
+               std::initializer_list<VariableType> types)
 {
   return guarded(component,
                  [&](Instance& i)
@@ -63,7 +66,8 @@ fmi2Status get(fmi2Component component, const fmi2ValueReference* references, st
 }
 
 template <class Value>
-fmi2Status set(fmi2Component component, const fmi2ValueReference* references, std::size_t count, const Value* values, std::initializer_list<VariableType> types)
+fmi2Status set(fmi2Component component, const fmi2ValueReference* references, std::size_t count, const Value* values,
+               std::initializer_list<VariableType> types)
 {
   return guarded(component,
                  [&](Instance& i)
@@ -92,7 +96,8 @@ std::string path_of(const std::string& uri)
   std::string path;
   for (; k < uri.size(); ++k)
   {
-    const bool escape = uri[k] == '%' && k + 2 < uri.size() && std::isxdigit(static_cast<unsigned char>(uri[k + 1])) && std::isxdigit(static_cast<unsigned char>(uri[k + 2]));
+    const bool escape = uri[k] == '%' && k + 2 < uri.size() && std::isxdigit(static_cast<unsigned char>(uri[k + 1])) &&
+                        std::isxdigit(static_cast<unsigned char>(uri[k + 2]));
     path += escape ? static_cast<char>(std::stoi(uri.substr(k + 1, 2), nullptr, 16)) : uri[k];
     if (escape) k += 2;
   }
@@ -110,8 +115,8 @@ FMI_EXPORT const char* fmi2GetVersion()
   return "2.0";
 }
 
-FMI_EXPORT fmi2Component fmi2Instantiate(fmi2String name, fmi2Type type, fmi2String guid, fmi2String resources, const fmi2CallbackFunctions* functions, fmi2Boolean,
-                                         fmi2Boolean logging)
+FMI_EXPORT fmi2Component fmi2Instantiate(fmi2String name, fmi2Type type, fmi2String guid, fmi2String resources,
+                                         const fmi2CallbackFunctions* functions, fmi2Boolean, fmi2Boolean logging)
 {
   if (functions == nullptr) return nullptr;
   try
@@ -124,7 +129,8 @@ FMI_EXPORT fmi2Component fmi2Instantiate(fmi2String name, fmi2Type type, fmi2Str
     {
       if (type != fmi2CoSimulation) throw std::runtime_error("the FMU is for co-simulation only");
       if (guid == nullptr || drill_rig_sim::fmi::guid() != guid)
-        throw std::runtime_error("modelDescription.xml and the library are not of the same FMU: the guid must be " + drill_rig_sim::fmi::guid());
+        throw std::runtime_error("modelDescription.xml and the library are not of the same FMU: the guid must be " +
+                                 drill_rig_sim::fmi::guid());
       if (resources == nullptr) throw std::runtime_error("the location of the resources must be given: scene.yaml lies there");
       i->rig = std::make_unique<FmuRig>(path_of(resources));
     }
@@ -201,17 +207,20 @@ FMI_EXPORT fmi2Status fmi2Reset(fmi2Component component)
                  });
 }
 
-FMI_EXPORT fmi2Status fmi2GetReal(fmi2Component component, const fmi2ValueReference* references, std::size_t count, fmi2Real* values)
+FMI_EXPORT fmi2Status fmi2GetReal(fmi2Component component, const fmi2ValueReference* references, std::size_t count,
+                                  fmi2Real* values)
 {
   return get(component, references, count, values, {VariableType::real});
 }
 
-FMI_EXPORT fmi2Status fmi2GetInteger(fmi2Component component, const fmi2ValueReference* references, std::size_t count, fmi2Integer* values)
+FMI_EXPORT fmi2Status fmi2GetInteger(fmi2Component component, const fmi2ValueReference* references, std::size_t count,
+                                     fmi2Integer* values)
 {
   return get(component, references, count, values, {VariableType::integer, VariableType::drive_mode});
 }
 
-FMI_EXPORT fmi2Status fmi2GetBoolean(fmi2Component component, const fmi2ValueReference* references, std::size_t count, fmi2Boolean* values)
+FMI_EXPORT fmi2Status fmi2GetBoolean(fmi2Component component, const fmi2ValueReference* references, std::size_t count,
+                                     fmi2Boolean* values)
 {
   return get(component, references, count, values, {VariableType::boolean});
 }
@@ -221,17 +230,20 @@ FMI_EXPORT fmi2Status fmi2GetString(fmi2Component component, const fmi2ValueRefe
   return count == 0 ? fmi2OK : not_available(component, "fmi2GetString");
 }
 
-FMI_EXPORT fmi2Status fmi2SetReal(fmi2Component component, const fmi2ValueReference* references, std::size_t count, const fmi2Real* values)
+FMI_EXPORT fmi2Status fmi2SetReal(fmi2Component component, const fmi2ValueReference* references, std::size_t count,
+                                  const fmi2Real* values)
 {
   return set(component, references, count, values, {VariableType::real});
 }
 
-FMI_EXPORT fmi2Status fmi2SetInteger(fmi2Component component, const fmi2ValueReference* references, std::size_t count, const fmi2Integer* values)
+FMI_EXPORT fmi2Status fmi2SetInteger(fmi2Component component, const fmi2ValueReference* references, std::size_t count,
+                                     const fmi2Integer* values)
 {
   return set(component, references, count, values, {VariableType::integer, VariableType::drive_mode});
 }
 
-FMI_EXPORT fmi2Status fmi2SetBoolean(fmi2Component component, const fmi2ValueReference* references, std::size_t count, const fmi2Boolean* values)
+FMI_EXPORT fmi2Status fmi2SetBoolean(fmi2Component component, const fmi2ValueReference* references, std::size_t count,
+                                     const fmi2Boolean* values)
 {
   return set(component, references, count, values, {VariableType::boolean});
 }
@@ -292,18 +304,20 @@ FMI_EXPORT fmi2Status fmi2GetStringStatus(fmi2Component, fmi2StatusKind, fmi2Str
   return fmi2Discard;
 }
 
-FMI_EXPORT fmi2Status fmi2SetRealInputDerivatives(fmi2Component component, const fmi2ValueReference*, std::size_t, const fmi2Integer*, const fmi2Real*)
+FMI_EXPORT fmi2Status fmi2SetRealInputDerivatives(fmi2Component component, const fmi2ValueReference*, std::size_t,
+                                                  const fmi2Integer*, const fmi2Real*)
 {
   return not_available(component, "fmi2SetRealInputDerivatives");
 }
 
-FMI_EXPORT fmi2Status fmi2GetRealOutputDerivatives(fmi2Component component, const fmi2ValueReference*, std::size_t, const fmi2Integer*, fmi2Real*)
+FMI_EXPORT fmi2Status fmi2GetRealOutputDerivatives(fmi2Component component, const fmi2ValueReference*, std::size_t,
+                                                   const fmi2Integer*, fmi2Real*)
 {
   return not_available(component, "fmi2GetRealOutputDerivatives");
 }
 
-FMI_EXPORT fmi2Status fmi2GetDirectionalDerivative(fmi2Component component, const fmi2ValueReference*, std::size_t, const fmi2ValueReference*, std::size_t, const fmi2Real*,
-                                                   fmi2Real*)
+FMI_EXPORT fmi2Status fmi2GetDirectionalDerivative(fmi2Component component, const fmi2ValueReference*, std::size_t,
+                                                   const fmi2ValueReference*, std::size_t, const fmi2Real*, fmi2Real*)
 {
   return not_available(component, "fmi2GetDirectionalDerivative");
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "fmu_rig.h"
 
 #include <algorithm>
@@ -21,27 +22,34 @@ constexpr double longest_step = 3600.0;  // [s]
 const Variable& variable(unsigned reference, std::initializer_list<VariableType> types)
 {
   if (reference >= variables().size())
-    throw std::runtime_error("value reference " + std::to_string(reference) + " is unknown: there are " + std::to_string(variables().size()) + " variables");
+    throw std::runtime_error("value reference " + std::to_string(reference) + " is unknown: there are " +
+                             std::to_string(variables().size()) + " variables");
   const Variable& v = variables()[reference];
-  if (std::find(types.begin(), types.end(), v.type) == types.end()) throw std::runtime_error(v.name + " is of another type than the function that was called");
+  if (std::find(types.begin(), types.end(), v.type) == types.end())
+    throw std::runtime_error(v.name + " is of another type than the function that was called");
   return v;
 }
 
 void check_value(const Variable& v, double value)
 {
   if (!std::isfinite(value)) throw std::runtime_error(v.name + " must be a finite number");
-  if (v.name == "seed" && value < 0.0) throw std::runtime_error("seed must be 0 or more (got " + std::to_string(static_cast<int>(value)) + ")");
+  if (v.name == "seed" && value < 0.0)
+    throw std::runtime_error("seed must be 0 or more (got " + std::to_string(static_cast<int>(value)) + ")");
   if (v.type == VariableType::drive_mode && !is_known(static_cast<TopDriveMode>(static_cast<int>(value))))
-    throw std::runtime_error(v.name + " must be 0 to " + std::to_string(top_drive_mode_count - 1) + " (got " + std::to_string(static_cast<int>(value)) + ")");
+    throw std::runtime_error(v.name + " must be 0 to " + std::to_string(top_drive_mode_count - 1) + " (got " +
+                             std::to_string(static_cast<int>(value)) + ")");
 }
 
 /// Whole frames of a step. Throws where they are not whole.
 long frames_of(double duration, double rate)
 {
   const double frames = duration * rate;
-  if (std::isfinite(duration) && duration <= longest_step && frames > 0.5 && std::abs(frames - std::round(frames)) < 1e-6 * frames) return std::lround(frames);
+  if (std::isfinite(duration) && duration <= longest_step && frames > 0.5 &&
+      std::abs(frames - std::round(frames)) < 1e-6 * frames)
+    return std::lround(frames);
   std::ostringstream text;
-  text << "the communication step must be a whole number of frames of " << 1.0 / rate << " s, at most " << longest_step << " s (got " << duration << " s)";
+  text << "the communication step must be a whole number of frames of " << 1.0 / rate << " s, at most " << longest_step
+       << " s (got " << duration << " s)";
   throw std::runtime_error(text.str());
 }
 constexpr char scene_name[] = "/scene.yaml", rate_name[] = "/rate";
@@ -75,7 +83,9 @@ FmuRig::FmuRig(const std::string& scene_file, double rate) : scene_(read_scene(s
   reset();
 }
 
-FmuRig::FmuRig(const std::string& resources) : FmuRig(resources + scene_name, read_rate(resources + rate_name)) {}
+FmuRig::FmuRig(const std::string& resources) : FmuRig(resources + scene_name, read_rate(resources + rate_name))
+{
+}
 
 void FmuRig::reset()
 {
@@ -120,7 +130,8 @@ void FmuRig::set(unsigned reference, std::initializer_list<VariableType> types, 
 {
   const Variable& v = variable(reference, types);
   if (v.causality == Causality::output) throw std::runtime_error(v.name + " is an output and cannot be set");
-  if (v.causality == Causality::parameter && fixed_) throw std::runtime_error(v.name + " is a parameter: it must be set before the initialization mode ends");
+  if (v.causality == Causality::parameter && fixed_)
+    throw std::runtime_error(v.name + " is a parameter: it must be set before the initialization mode ends");
   check_value(v, value);
   if (v.get(inputs_) == value) return;
   v.set(inputs_, value);

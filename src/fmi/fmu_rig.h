@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SRC_FMI_FMU_RIG_H
 #define DRILL_RIG_SIM_SRC_FMI_FMU_RIG_H
 
@@ -14,8 +15,8 @@
 
 namespace drill_rig_sim::fmi
 {
-/// A rig behind the variables of an FMU. Frames are those of the node in lockstep: the same scene, rate, seed and set points give the same bits.
-/// What is refused throws std::runtime_error with one line, and nothing has changed.
+/// A rig behind the variables of an FMU. Frames are those of the node in lockstep: the same scene, rate, seed and set points give
+/// the same bits. What is refused throws std::runtime_error with one line, and nothing has changed.
 class FmuRig
 {
 public:

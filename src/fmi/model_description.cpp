@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "model_description.h"
 
 #include <tinyxml2.h>
@@ -23,8 +24,8 @@ struct BaseUnit
 const std::map<std::string, BaseUnit>& base_units()
 {
   static const std::map<std::string, BaseUnit> units = {
-      {"N", {1, 1, -2, 0}}, {"N m", {1, 2, -2, 0}}, {"Pa", {1, -1, -2, 0}}, {"m", {0, 1, 0, 0}},      {"m/s", {0, 1, -1, 0}},
-      {"m3/s", {0, 3, -1, 0}}, {"rad", {0, 0, 0, 1}}, {"rad/s", {0, 0, -1, 1}}, {"kg/m3", {1, -3, 0, 0}}, {"1/s", {0, 0, -1, 0}},
+      {"N", {1, 1, -2, 0}},    {"N m", {1, 2, -2, 0}}, {"Pa", {1, -1, -2, 0}},   {"m", {0, 1, 0, 0}},      {"m/s", {0, 1, -1, 0}},
+      {"m3/s", {0, 3, -1, 0}}, {"rad", {0, 0, 0, 1}},  {"rad/s", {0, 0, -1, 1}}, {"kg/m3", {1, -3, 0, 0}}, {"1/s", {0, 0, -1, 0}},
   };
   return units;
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/hydraulics/flow_losses.h"
 
 #include <algorithm>
@@ -43,7 +44,8 @@ double turbulent_stress(double dynamic, double laminar, double index) noexcept
 double turbulent_wall_stress(const Rheology& mud, double density, const Passage& passage, double speed, double laminar) noexcept
 {
   const double dynamic = density * speed * speed;
-  const double thin = laminar_wall_stress({0.0, mud.consistency, mud.index}, passage, speed), without = turbulent_stress(dynamic, thin, mud.index);
+  const double thin = laminar_wall_stress({0.0, mud.consistency, mud.index}, passage, speed),
+               without = turbulent_stress(dynamic, thin, mud.index);
   if (mud.yield_stress <= 0.0) return without;
   const double at = std::max(without, laminar), index = local_index(mud, passage, at);
   return turbulent_stress(dynamic, at * std::pow(speed / laminar_speed(mud, passage, at), index), index);
@@ -60,14 +62,16 @@ double laminar_speed(const Rheology& mud, const Passage& passage, double wall_st
   const double y = mud.yield_stress, a = wall_stress - y, m = 1.0 / mud.index, w = wall_stress;
   if (a <= 0.0) return 0.0;
   const double at_wall = std::pow(a / mud.consistency, m);  // shear rate
-  if (is_bore(passage)) return 0.5 * passage.gap() * at_wall * a / (w * w * w) * (a * a / (3.0 + m) + 2.0 * y * a / (2.0 + m) + y * y / (1.0 + m));
+  if (is_bore(passage))
+    return 0.5 * passage.gap() * at_wall * a / (w * w * w) * (a * a / (3.0 + m) + 2.0 * y * a / (2.0 + m) + y * y / (1.0 + m));
   return 0.25 * passage.gap() * at_wall * a / (w * w) * (a / (2.0 + m) + y / (1.0 + m));
 }
 
 double laminar_wall_stress(const Rheology& mud, const Passage& passage, double speed) noexcept
 {
   const double m = 1.0 / mud.index;
-  const double rate = (is_bore(passage) ? 2.0 * (3.0 + m) : 4.0 * (2.0 + m)) * speed / passage.gap();  // at the wall without a yield stress
+  const double rate =
+      (is_bore(passage) ? 2.0 * (3.0 + m) : 4.0 * (2.0 + m)) * speed / passage.gap();  // at the wall without a yield stress
   const double without = mud.consistency * (mud.index == 1.0 ? rate : std::pow(rate, mud.index));
   if (mud.yield_stress <= 0.0) return without;
   double low = mud.yield_stress, high = 1.5 * mud.yield_stress + without;
@@ -124,9 +128,11 @@ double pressure_gradient(const Rheology& mud, double density, const Passage& pas
 
 EccentricShare eccentric_share(const Rheology& mud, const Passage& annulus) noexcept
 {
-  const double e = std::min(annulus.eccentricity, 0.95), r = std::clamp(annulus.inner / annulus.outer, 0.3, 0.9), n = std::clamp(mud.index, 0.4, 1.0);
+  const double e = std::min(annulus.eccentricity, 0.95), r = std::clamp(annulus.inner / annulus.outer, 0.3, 0.9),
+               n = std::clamp(mud.index, 0.4, 1.0);
   if (e <= 0.0) return {};
-  const double first = e / n * std::pow(r, 0.8454), second = e * e * std::sqrt(n) * std::pow(r, 0.1852), third = e * e * e * std::sqrt(n) * std::pow(r, 0.2527);
+  const double first = e / n * std::pow(r, 0.8454), second = e * e * std::sqrt(n) * std::pow(r, 0.1852),
+               third = e * e * e * std::sqrt(n) * std::pow(r, 0.2527);
   return {1.0 - 0.072 * first - 1.5 * second + 0.96 * third, 1.0 - 0.048 * first - 2.0 / 3.0 * second + 0.285 * third};
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/hydraulics/hydraulics.h"
 
 #include <algorithm>
@@ -26,8 +27,8 @@ double root_of_law(double top, double by_flow, const HydraulicResistance& r, dou
   return falling_root(excess, guess > 0.0 ? guess : r.nominal_flow, kSmallest * r.nominal_flow);
 }
 
-/// Root > 0 of top - by_flow Q - r.pressure(Q), which falls with Q and is positive at 0. On either side of the motor's leakage it is
-/// concave, so Newton's iterates come down on the root from the first on that lies beyond it.
+/// Root > 0 of top - by_flow Q - r.pressure(Q), which falls with Q and is positive at 0. On either side of the motor's leakage it
+/// is concave, so Newton's iterates come down on the root from the first on that lies beyond it.
 double root(double top, double by_flow, const HydraulicResistance& r, double guess) noexcept
 {
   if (r.law) return root_of_law(top, by_flow, r, guess);
@@ -39,7 +40,8 @@ double root(double top, double by_flow, const HydraulicResistance& r, double gue
   {
     const double slope = by_flow + r.slope(q);
     if (slope <= 0.0) break;
-    const double next = std::clamp(q + excess(q) / slope, std::max(least, 0.1 * q), std::min(most, std::max(10.0 * q, r.nominal_flow)));
+    const double next =
+        std::clamp(q + excess(q) / slope, std::max(least, 0.1 * q), std::min(most, std::max(10.0 * q, r.nominal_flow)));
     const double change = std::abs(next - q);
     q = next;
     if (change <= kSmallest * r.nominal_flow) break;
@@ -48,15 +50,18 @@ double root(double top, double by_flow, const HydraulicResistance& r, double gue
 }
 
 /// outflow() of a volume whose mud may as well go the other way.
-Outflow outflow_either_way(double capacity, double pressure, double inflow, double step, const HydraulicResistance& r, double guess) noexcept
+Outflow outflow_either_way(double capacity, double pressure, double inflow, double step, const HydraulicResistance& r,
+                           double guess) noexcept
 {
   const double sign = (capacity > 0.0 ? pressure + step / capacity * inflow : inflow) < 0.0 ? -1.0 : 1.0;
   const Outflow out = outflow(capacity, sign * pressure, sign * inflow, step, r, sign * guess);
   return {sign * out.flow, sign * out.pressure};
 }
 
-/// The annulus with losses by a law: p + (step/capacity) (inflow - Q) = P(Q, displaced) + held, the last against the flow and as much as there is. Either way.
-Outflow annulus_by_law(const HydraulicCircuit& circuit, double pressure, double inflow, double displaced, double step, double held, double guess) noexcept
+/// The annulus with losses by a law: p + (step/capacity) (inflow - Q) = P(Q, displaced) + held, the last against the flow and as
+/// much as there is. Either way.
+Outflow annulus_by_law(const HydraulicCircuit& circuit, double pressure, double inflow, double displaced, double step,
+                       double held, double guess) noexcept
 {
   const SectionLosses& law = circuit.law;
   if (circuit.annulus.capacity <= 0.0) return {inflow, law.outer(inflow, displaced).loss};
@@ -69,17 +74,20 @@ Outflow annulus_by_law(const HydraulicCircuit& circuit, double pressure, double 
     const LossTable::Value loss = law.outer(sign * q, displaced);
     return LossTable::Value{sign * (top - loss.loss) - by_flow * q - held, -by_flow - loss.slope};
   };
-  const double flow = sign * falling_root(excess, sign * guess > 0.0 ? sign * guess : circuit.nominal_flow, kSmallest * circuit.nominal_flow);
+  const double flow =
+      sign * falling_root(excess, sign * guess > 0.0 ? sign * guess : circuit.nominal_flow, kSmallest * circuit.nominal_flow);
   return {flow, top - by_flow * flow};
 }
 
 /// What leaves the annulus at the flow line, and its pressure.
-Outflow advance_annulus(const HydraulicCircuit& circuit, const HydraulicState& state, double inflow, double displaced, double step, double held) noexcept
+Outflow advance_annulus(const HydraulicCircuit& circuit, const HydraulicState& state, double inflow, double displaced,
+                        double step, double held) noexcept
 {
   if (!circuit.law.any())
   {
     const HydraulicResistance outer{0.0, circuit.annulus.loss, held, 0.0, circuit.nominal_flow, circuit.exponent};
-    return outflow_either_way(circuit.annulus.capacity, state.annulus_pressure, inflow + displaced, step, outer, state.return_flow);
+    return outflow_either_way(circuit.annulus.capacity, state.annulus_pressure, inflow + displaced, step, outer,
+                              state.return_flow);
   }
   Outflow out = annulus_by_law(circuit, state.annulus_pressure, inflow, displaced, step, held, state.return_flow - displaced);
   out.flow += displaced;
@@ -96,12 +104,14 @@ double advance_gel(double gel, double flow, double step) noexcept
 
 double HydraulicResistance::pressure(double flow) const noexcept
 {
-  return back + gel + (law ? law->inner(flow).loss : loss * power(flow / nominal_flow, exponent)) + motor * std::min(1.0, flow / mud_motor_leakage);
+  return back + gel + (law ? law->inner(flow).loss : loss * power(flow / nominal_flow, exponent)) +
+         motor * std::min(1.0, flow / mud_motor_leakage);
 }
 
 double HydraulicResistance::slope(double flow) const noexcept
 {
-  return (law ? law->inner(flow).slope : exponent * loss * power(flow / nominal_flow, exponent) / flow) + (flow < mud_motor_leakage ? motor / mud_motor_leakage : 0.0);
+  return (law ? law->inner(flow).slope : exponent * loss * power(flow / nominal_flow, exponent) / flow) +
+         (flow < mud_motor_leakage ? motor / mud_motor_leakage : 0.0);
 }
 
 Outflow outflow(double capacity, double pressure, double inflow, double step, const HydraulicResistance& r, double guess) noexcept
@@ -133,12 +143,15 @@ void advance_hydraulics(const MudPumpSpec& spec, const HydraulicCircuit& circuit
   state.strokes += state.pump_flow * step / spec.stroke_volume;
   const double n = circuit.nominal_flow, m = circuit.exponent;
   const SectionLosses* law = circuit.law.any() ? &circuit.law : nullptr;
-  const HydraulicResistance inner{std::max(state.annulus_pressure, 0.0), circuit.bore.loss, state.bore_gel * circuit.bore.gel, motor_pressure, n, m, law};
+  const HydraulicResistance inner{
+      std::max(state.annulus_pressure, 0.0), circuit.bore.loss, state.bore_gel * circuit.bore.gel, motor_pressure, n, m, law};
   const double fill = std::min(state.pump_flow, ways.air / step);
   state.filled += fill * step;
-  const double leak = std::min(ways.leak, state.pump_flow - fill + std::max(0.0, state.stand_pipe_pressure) * circuit.bore.capacity / step);
+  const double leak =
+      std::min(ways.leak, state.pump_flow - fill + std::max(0.0, state.stand_pipe_pressure) * circuit.bore.capacity / step);
   Outflow bore;
-  if (fill * step >= ways.air) bore = outflow(circuit.bore.capacity, state.stand_pipe_pressure, state.pump_flow - fill - leak, step, inner, flow);
+  if (fill * step >= ways.air)
+    bore = outflow(circuit.bore.capacity, state.stand_pipe_pressure, state.pump_flow - fill - leak, step, inner, flow);
   state.relief_open = bore.pressure > spec.relief_pressure;
   if (state.relief_open) bore = {std::min(bore.flow, outflow_at(spec.relief_pressure, inner, bore.flow)), spec.relief_pressure};
 

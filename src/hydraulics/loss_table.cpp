@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/hydraulics/loss_table.h"
 
 #include <cmath>
@@ -15,7 +16,8 @@ double middle_slope(double before, double after) noexcept
 }
 }  // namespace
 
-LossTable::LossTable(double largest, const std::function<double(double)>& loss) : largest_(largest), loss_(intervals + 1, 0.0), slope_(intervals + 1, 0.0)
+LossTable::LossTable(double largest, const std::function<double(double)>& loss)
+    : largest_(largest), loss_(intervals + 1, 0.0), slope_(intervals + 1, 0.0)
 {
   for (std::size_t i = 1; i <= intervals; ++i) loss_[i] = loss(largest * std::pow(static_cast<double>(i) / intervals, 2));
   for (std::size_t i = 1; i < intervals; ++i) slope_[i] = middle_slope(loss_[i] - loss_[i - 1], loss_[i + 1] - loss_[i]);

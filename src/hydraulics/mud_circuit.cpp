@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/hydraulics/mud_circuit.h"
 
 #include <algorithm>
@@ -16,7 +17,8 @@ namespace
 constexpr double psi = 6894.757, pound_per_gallon = 119.8264, foot = 0.3048, inch = 0.0254, gallon_per_minute = 6.30902e-5;
 constexpr double narrowest = 1e-3;  // annulus and bore are never taken narrower [m]
 
-/// What the mud loses along a metre at the pump's largest flow: by the rheology, each section worked out once, or by the rules of thumb.
+/// What the mud loses along a metre at the pump's largest flow: by the rheology, each section worked out once, or by the rules of
+/// thumb.
 class Gradients
 {
 public:
@@ -25,13 +27,20 @@ public:
     if (way.rheology) curve_ = curve_of(*way.rheology, way.mud.viscosity);
   }
 
-  double in_bore(double diameter) { return way_.rheology ? by_law(bore_of(diameter)) : bore_gradient(way_.mud.density, way_.pump.max_flow, diameter); }
+  double in_bore(double diameter)
+  {
+    return way_.rheology ? by_law(bore_of(diameter)) : bore_gradient(way_.mud.density, way_.pump.max_flow, diameter);
+  }
   double in_annulus(double hole, double diameter)
   {
-    return way_.rheology ? by_law(annulus_of(hole, diameter)) : annulus_gradient(way_.mud.density, way_.pump.max_flow, hole, diameter);
+    return way_.rheology ? by_law(annulus_of(hole, diameter))
+                         : annulus_gradient(way_.mud.density, way_.pump.max_flow, hole, diameter);
   }
   Passage bore_of(double diameter) const { return {std::max(diameter, narrowest), 0.0, 0.0}; }
-  Passage annulus_of(double hole, double diameter) const { return {std::max(hole, diameter + narrowest), diameter, way_.rheology->eccentricity}; }
+  Passage annulus_of(double hole, double diameter) const
+  {
+    return {std::max(hole, diameter + narrowest), diameter, way_.rheology->eccentricity};
+  }
   const Rheology& curve() const { return curve_; }
 
 private:
@@ -39,7 +48,8 @@ private:
   {
     const auto found = known_.find({passage.outer, passage.inner});
     if (found != known_.end()) return found->second;
-    return known_[{passage.outer, passage.inner}] = pressure_gradient(curve_, way_.mud.density, passage, way_.pump.max_flow / passage.area());
+    return known_[{passage.outer, passage.inner}] =
+               pressure_gradient(curve_, way_.mud.density, passage, way_.pump.max_flow / passage.area());
   }
 
   const MudWay& way_;
@@ -50,9 +60,9 @@ private:
 /// An element's stretch of bore and annulus.
 struct Stretch
 {
-  double bore_volume = 0.0, bore_gel = 0.0, bore_loss = 0.0;           // m3, m/m, Pa at nominal flow
+  double bore_volume = 0.0, bore_gel = 0.0, bore_loss = 0.0;  // m3, m/m, Pa at nominal flow
   double annulus_volume = 0.0, annulus_gel = 0.0, annulus_loss = 0.0;
-  double hole = 0.0;  // diameter [m]; 0 above the rotary table
+  double hole = 0.0;       // diameter [m]; 0 above the rotary table
   double displaced = 0.0;  // area that displaces mud as the string moves, with what clings to it [m2]
 
   Stretch& operator+=(const Stretch& s) noexcept
@@ -102,16 +112,20 @@ MudSections sections_of(const MudWay& way, const Mesh& mesh, const std::vector<S
   MudSections out;
   const auto add = [](std::vector<PassageLength>& list, const Passage& passage, double length)
   {
-    const auto found = std::find_if(list.begin(), list.end(), [&](const PassageLength& one)
+    const auto found = std::find_if(list.begin(), list.end(),
+                                    [&](const PassageLength& one)
                                     { return one.passage.outer == passage.outer && one.passage.inner == passage.inner; });
-    if (found != list.end()) found->length += length;
-    else list.push_back({passage, length});
+    if (found != list.end())
+      found->length += length;
+    else
+      list.push_back({passage, length});
   };
   for (std::size_t e = 0; e < stretches.size(); ++e)
   {
     const MeshElement& element = mesh.elements[e];
     if (stretches[e].bore_loss > 0.0) add(out.bore, gradients.bore_of(diameter_of(element.bore_area)), element.section.length);
-    if (stretches[e].hole > 0.0) add(out.annulus, gradients.annulus_of(stretches[e].hole, element.outer_diameter), element.section.length);
+    if (stretches[e].hole > 0.0)
+      add(out.annulus, gradients.annulus_of(stretches[e].hole, element.outer_diameter), element.section.length);
   }
   for (const SurfaceLine& line : way.pump.surface_lines) add(out.lines, {line.diameter, 0.0, 0.0}, line.length);
   const std::optional<BitSpec>& bit = way.string.front().bit;
@@ -120,7 +134,8 @@ MudSections sections_of(const MudWay& way, const Mesh& mesh, const std::vector<S
 }
 
 /// By the rheology.
-void lose_by_law(const MudWay& way, const Mesh& mesh, const std::vector<Stretch>& stretches, const Gradients& gradients, MudCircuit& out)
+void lose_by_law(const MudWay& way, const Mesh& mesh, const std::vector<Stretch>& stretches, const Gradients& gradients,
+                 MudCircuit& out)
 {
   const double flow = way.pump.max_flow;
   SectionLosses& law = out.circuit.law;
@@ -144,7 +159,8 @@ double displaced_area(const std::vector<Stretch>& stretches, const MudCircuit& m
 {
   if (mud.circuit.annulus.loss <= 0.0) return 0.0;
   double mean = 0.0;
-  for (std::size_t e = 0; e < stretches.size(); ++e) mean += mud.annulus_here[e] * std::pow(stretches[e].displaced, mud.circuit.exponent);
+  for (std::size_t e = 0; e < stretches.size(); ++e)
+    mean += mud.annulus_here[e] * std::pow(stretches[e].displaced, mud.circuit.exponent);
   return std::pow(mean, 1.0 / mud.circuit.exponent);
 }
 
@@ -214,7 +230,8 @@ MudCircuit mud_circuit(const MudWay& way, const Mesh& mesh)
   out.bore_friction = inner > 0.0 ? out.losses.bore / inner : 0.0;
   share_losses(stretches, all, out);
   out.displaced_area = way.rheology ? out.circuit.law.displaced_area : displaced_area(stretches, out);
-  for (std::size_t e = 0; e < mesh.elements.size(); ++e) add_forces(way, mesh.elements[e], stretches[e], out.annulus_here[e], out);
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e)
+    add_forces(way, mesh.elements[e], stretches[e], out.annulus_here[e], out);
   return out;
 }
 
@@ -225,7 +242,8 @@ std::string doubt_of_pressures(const MudCircuit& mud)
   char text[240];
   const double flow = mud.circuit.nominal_flow;
   std::snprintf(text, sizeof text,
-                "bore and annulus alone would lose %.2f MPa at the pump's largest flow, %.3g m3/s: pressure_coefficient leaves nothing for the bit, one above %.3g would",
+                "bore and annulus alone would lose %.2f MPa at the pump's largest flow, %.3g m3/s: pressure_coefficient leaves "
+                "nothing for the bit, one above %.3g would",
                 mud.tubular_loss / 1e6, flow, mud.tubular_loss / (flow * flow));
   return text;
 }
@@ -247,7 +265,8 @@ MudPressures mud_pressures(const MudCircuit& mud, const HydraulicState& state, d
   const HydraulicCircuit& c = mud.circuit;
   if (flow <= 0.0) return {state.stand_pipe_pressure, 0.0, 0.0, state.annulus_pressure};
   if (c.law.any()) return {state.stand_pipe_pressure, c.law.lines_loss(flow), c.law.bore.at(flow).loss, state.annulus_pressure};
-  return {state.stand_pipe_pressure, 0.0, mud.bore_friction * c.bore.loss * std::pow(flow / c.nominal_flow, c.exponent), state.annulus_pressure};
+  return {state.stand_pipe_pressure, 0.0, mud.bore_friction * c.bore.loss * std::pow(flow / c.nominal_flow, c.exponent),
+          state.annulus_pressure};
 }
 
 }  // namespace drill_rig_sim

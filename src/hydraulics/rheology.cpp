@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/hydraulics/rheology.h"
 
 #include <algorithm>
@@ -35,7 +36,8 @@ Candidate best_at(double index, bool yields, const std::vector<ViscometerReading
   yield = std::max(yield, 0.0);
   Candidate out{{yield, (xy - yield * x) / xx, index}, 0.0};
   for (const ViscometerReading& reading : readings)
-    out.squares += std::pow(shear_stress(out.curve, shear_rate_per_rpm * reading.speed) - stress_per_dial_degree * reading.dial, 2);
+    out.squares +=
+        std::pow(shear_stress(out.curve, shear_rate_per_rpm * reading.speed) - stress_per_dial_degree * reading.dial, 2);
   return out;
 }
 
@@ -65,13 +67,15 @@ double dial_at(double speed, const std::vector<ViscometerReading>& readings)
 bool are_of_api(const std::vector<ViscometerReading>& readings)
 {
   const double speeds[] = {600.0, 300.0, 6.0, 3.0};
-  return readings.size() == 4 && std::all_of(std::begin(speeds), std::end(speeds), [&](double speed) { return dial_at(speed, readings) > 0.0; });
+  return readings.size() == 4 &&
+         std::all_of(std::begin(speeds), std::end(speeds), [&](double speed) { return dial_at(speed, readings) > 0.0; });
 }
 
 /// The measurement method of API RP 13D.
 Rheology of_api(const std::vector<ViscometerReading>& readings)
 {
-  const double r600 = dial_at(600.0, readings), r300 = dial_at(300.0, readings), yield = std::max(0.0, 2.0 * dial_at(3.0, readings) - dial_at(6.0, readings));
+  const double r600 = dial_at(600.0, readings), r300 = dial_at(300.0, readings),
+               yield = std::max(0.0, 2.0 * dial_at(3.0, readings) - dial_at(6.0, readings));
   const double index = std::log2((r600 - yield) / (r300 - yield));
   return {stress_per_dial_degree * yield, stress_per_dial_degree * (r300 - yield) / std::pow(rate_300, index), index};
 }
@@ -103,7 +107,8 @@ std::string pair_problem(RheologyLaw law, const ViscometerReading& slow, const V
 {
   if (fast.speed == slow.speed) return text_of("%g rpm is given twice, allowed: once", fast.speed, 0.0);
   if (fast.dial < slow.dial || (fast.dial == slow.dial && law != RheologyLaw::herschel_bulkley))
-    return text_of("the dial reading does not increase from %g to %g rpm, needed: a larger reading at a larger speed", slow.speed, fast.speed);
+    return text_of("the dial reading does not increase from %g to %g rpm, needed: a larger reading at a larger speed", slow.speed,
+                   fast.speed);
   return "";
 }
 }  // namespace
@@ -121,16 +126,19 @@ double plastic_viscosity(const Rheology& mud) noexcept
 Rheology fitted(RheologyLaw law, const std::vector<ViscometerReading>& readings)
 {
   if (law == RheologyLaw::herschel_bulkley && are_of_api(readings)) return of_api(readings);
-  if (law == RheologyLaw::newtonian || law == RheologyLaw::bingham) return best_at(1.0, law == RheologyLaw::bingham, readings).curve;
+  if (law == RheologyLaw::newtonian || law == RheologyLaw::bingham)
+    return best_at(1.0, law == RheologyLaw::bingham, readings).curve;
   return best_index(law == RheologyLaw::herschel_bulkley, readings);
 }
 
 std::string readings_problem(RheologyLaw law, const std::vector<ViscometerReading>& readings)
 {
   const std::size_t needed = parameters_of(law);
-  if (readings.size() < needed) return std::to_string(readings.size()) + " readings are too few for this law, needed: " + std::to_string(needed);
+  if (readings.size() < needed)
+    return std::to_string(readings.size()) + " readings are too few for this law, needed: " + std::to_string(needed);
   std::vector<ViscometerReading> sorted = readings;
-  std::sort(sorted.begin(), sorted.end(), [](const ViscometerReading& a, const ViscometerReading& b) { return a.speed < b.speed; });
+  std::sort(sorted.begin(), sorted.end(),
+            [](const ViscometerReading& a, const ViscometerReading& b) { return a.speed < b.speed; });
   for (std::size_t i = 1; i < sorted.size(); ++i)
   {
     const std::string problem = pair_problem(law, sorted[i - 1], sorted[i]);
@@ -143,7 +151,8 @@ std::string readings_problem(RheologyLaw law, const std::vector<ViscometerReadin
   // least squares end at the limits of the law where readings grow faster than they allow
   const ViscometerReading &slow = sorted[sorted.size() - 2], &fast = sorted.back();
   if (fast.dial / slow.dial > (1.0 + 1e-6) * fast.speed / slow.speed)
-    return text_of("the dial reading grows faster than the speed from %g to %g rpm, needed: shear thinning", slow.speed, fast.speed);
+    return text_of("the dial reading grows faster than the speed from %g to %g rpm, needed: shear thinning", slow.speed,
+                   fast.speed);
   return "";
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/hydraulics/section_losses.h"
 
 #include <algorithm>
@@ -17,13 +18,15 @@ LossTable in_a_row(const Rheology& mud, double density, const std::vector<Passag
   const auto loss = [&](double flow)
   {
     double sum = 0.0;
-    for (const PassageLength& pipe : pipes) sum += pipe.length * pressure_gradient(mud, density, pipe.passage, flow / pipe.passage.area());
+    for (const PassageLength& pipe : pipes)
+      sum += pipe.length * pressure_gradient(mud, density, pipe.passage, flow / pipe.passage.area());
     return sum;
   };
   return pipes.empty() ? LossTable() : LossTable(largest_flow, loss);
 }
 
-AnnulusSection annulus_section(const Rheology& mud, double density, const PassageLength& section, double largest_flow, double displaced_area)
+AnnulusSection annulus_section(const Rheology& mud, double density, const PassageLength& section, double largest_flow,
+                               double displaced_area)
 {
   const Passage& passage = section.passage;
   const double area = passage.area(), outside = 0.25 * pi * passage.inner * passage.inner, ratio = passage.inner / passage.outer;
@@ -61,7 +64,8 @@ LossTable::Value SectionLosses::outer(double flow, double displaced) const noexc
   for (const AnnulusSection& section : annulus)
   {
     const double laminar = section.per_area * flow + section.laminar_carry * displaced;
-    const double speed = laminar + turbulence_at(laminar, section.critical_speed) * (section.turbulent_carry - section.laminar_carry) * displaced;
+    const double speed =
+        laminar + turbulence_at(laminar, section.critical_speed) * (section.turbulent_carry - section.laminar_carry) * displaced;
     const LossTable::Value here = section.loss.at(speed);
     sum.loss += here.loss;
     sum.slope += section.per_area * here.slope;
@@ -84,7 +88,8 @@ SectionLosses section_losses(const Rheology& mud, double density, const MudSecti
   }
   if (length <= 0.0) return out;
   out.displaced_area = volume / length;
-  for (const PassageLength& section : sections.annulus) out.annulus.push_back(annulus_section(mud, density, section, largest_flow, out.displaced_area));
+  for (const PassageLength& section : sections.annulus)
+    out.annulus.push_back(annulus_section(mud, density, section, largest_flow, out.displaced_area));
   return out;
 }
 

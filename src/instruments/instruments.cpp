@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/instruments/instruments.h"
 
 #include <algorithm>
@@ -9,7 +10,7 @@ namespace drill_rig_sim
 {
 namespace
 {
-constexpr double shortest_frame = 1e-3;  // a kilohertz [s]
+constexpr double shortest_frame = 1e-3;   // a kilohertz [s]
 constexpr std::size_t stream_of_mwd = 6;  // of noise: another gauge must not change its readings
 }  // namespace
 
@@ -34,7 +35,11 @@ void RateMeter::shift_time(double shift) noexcept
 }
 
 Instruments::Instruments(const Scene& scene, const Truth& at_start, std::uint64_t seed)
-  : place_(scene.instruments.hook_load.place), block_weight_(standard_gravity * scene.rig.hoisting.block_mass), pump_noise_(scene.instruments.stand_pipe_pressure.pump_noise), hook_load_mean_(scene.rig.heave.wave_period()), zero_mean_(scene.rig.heave.wave_period())
+    : place_(scene.instruments.hook_load.place),
+      block_weight_(standard_gravity * scene.rig.hoisting.block_mass),
+      pump_noise_(scene.instruments.stand_pipe_pressure.pump_noise),
+      hook_load_mean_(scene.rig.heave.wave_period()),
+      zero_mean_(scene.rig.heave.wave_period())
 {
   const InstrumentsSpec& spec = scene.instruments;
   const double interval = scene.numerics.step > 0.0 ? scene.numerics.step : shortest_frame;
@@ -43,7 +48,8 @@ Instruments::Instruments(const Scene& scene, const Truth& at_start, std::uint64_
 #define GAUGE_LIKE(...) &spec.hook_load,
 #include "drill_rig_sim/scene/signal_list.h"
   };
-  for (std::size_t k = 0; k < specs.size(); ++k) gauges_[k] = Sensor(*specs[k], interval, NoiseSource::of(seed, k < stream_of_mwd ? k : k + 1));
+  for (std::size_t k = 0; k < specs.size(); ++k)
+    gauges_[k] = Sensor(*specs[k], interval, NoiseSource::of(seed, k < stream_of_mwd ? k : k + 1));
   mwd_ = Mwd(spec.mwd, spec.toolface, NoiseSource::of(seed, stream_of_mwd));
   dynamics_ = DynamicsTool(spec.dynamics);
   tally_ = at_start.bit_depth + at_start.block_height;
@@ -75,7 +81,8 @@ double pulsation_of(double amplitude, double strokes) noexcept
 
 void Instruments::read_gauges(const Truth& truth, double pulsation, Readings& readings) noexcept
 {
-  const auto at_gauge = [&](Gauge gauge, double value) { return gauge == Gauge::stand_pipe_pressure && pulsation != 0.0 ? value * (1.0 + pulsation) : value; };
+  const auto at_gauge = [&](Gauge gauge, double value)
+  { return gauge == Gauge::stand_pipe_pressure && pulsation != 0.0 ? value * (1.0 + pulsation) : value; };
   readings.lost_gauges = 0;
   std::size_t k = 0;
 #define GAUGE(type, name, ...) readings.name = gauges_[k++].read(at_gauge(Gauge::name, truth.name), truth.time);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/instruments/mwd.h"
 
 #include <algorithm>
@@ -17,14 +18,19 @@ double turned_to_circle(double azimuth) noexcept
 }
 }  // namespace
 
-Mwd::Mwd(const MwdSpec& survey, const ToolfaceSpec& toolface, NoiseSource noise) : survey_(survey), toolface_(toolface), noise_(noise) {}
+Mwd::Mwd(const MwdSpec& survey, const ToolfaceSpec& toolface, NoiseSource noise)
+    : survey_(survey), toolface_(toolface), noise_(noise)
+{
+}
 
 void Mwd::shift_time(double shift) noexcept
 {
   surveys_.shift_time(shift);
   toolfaces_.shift_time(shift);
   inclinations_.shift_time(shift);
-  for (double* time : {&next_survey_, &next_toolface_, &next_inclination_, &quiet_since_, &quiet_survey_.time, &inclination_.time}) *time += shift;
+  for (double* time :
+       {&next_survey_, &next_toolface_, &next_inclination_, &quiet_since_, &quiet_survey_.time, &inclination_.time})
+    *time += shift;
 }
 
 double Mwd::measured_inclination(const SensorView& view) noexcept
@@ -87,8 +93,7 @@ void Mwd::send_inclination(double time, const SensorView& view) noexcept
   next_inclination_ = time + survey_.inclination_period;
 }
 
-void Mwd::update(double time, double flow, const SensorView& view, MwdReading& survey,
-                 ToolfaceReading& toolface) noexcept
+void Mwd::update(double time, double flow, const SensorView& view, MwdReading& survey, ToolfaceReading& toolface) noexcept
 {
   const bool flowing = flow > least_flow_of_pulses;
   const bool pumps_on = flowing && !flowing_;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/instruments/sensor.h"
 
 #include <algorithm>
@@ -48,7 +49,7 @@ double NoiseSource::normal() noexcept
 }
 
 Sensor::Sensor(const SensorSpec& spec, double interval, NoiseSource noise)
-  : spec_(spec), spacing_(std::max(interval, spec.delay / most_samples)), noise_(noise)
+    : spec_(spec), spacing_(std::max(interval, spec.delay / most_samples)), noise_(noise)
 {
   line_.resize(static_cast<std::size_t>(spec.delay / spacing_) + 2);
 }
@@ -97,7 +98,8 @@ double Sensor::sample(double time) noexcept
   const double outlier = outlier_after(started_ ? time - last_sample_ : 0.0);
   last_sample_ = time;
   const double noise = std::hypot(spec_.noise, fault.noise);
-  const double shown = filtered_ + spec_.bias + wandered_ + fault.bias + fault.drifted + (noise > 0.0 ? noise * noise_.normal() : 0.0) + outlier;
+  const double shown =
+      filtered_ + spec_.bias + wandered_ + fault.bias + fault.drifted + (noise > 0.0 ? noise * noise_.normal() : 0.0) + outlier;
   return rounded(shown, spec_.resolution);
 }
 

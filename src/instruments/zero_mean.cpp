@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/instruments/zero_mean.h"
 
 #include <cmath>
@@ -30,7 +31,8 @@ HungString::HungString(const Mesh& mesh, const HoistingSpec& hoisting, double bl
   lines = line_pull(hoisting, block_height, line_length_for(hoisting, block_height, weight * standard_gravity)).stiffness;
 }
 
-/// A rod of mass m and stiffness k, free below, under a block of mass M on lines of stiffness K: k (b tan b + b^2 M/m) = K, the frequency b sqrt(k/m).
+/// A rod of mass m and stiffness k, free below, under a block of mass M on lines of stiffness K: k (b tan b + b^2 M/m) = K, the
+/// frequency b sqrt(k/m).
 double HungString::ring_period(double block_mass) const noexcept
 {
   double low = 0.0, high = 0.5 * pi;
@@ -43,7 +45,9 @@ double HungString::ring_period(double block_mass) const noexcept
   return 2.0 * pi / (high * std::sqrt(stiffness / mass));
 }
 
-ZeroMean::ZeroMean(double wave_period) : heaves_(wave_period > 0.0), mean_(wave_period) {}
+ZeroMean::ZeroMean(double wave_period) : heaves_(wave_period > 0.0), mean_(wave_period)
+{
+}
 
 void ZeroMean::rings_with(double period) noexcept
 {

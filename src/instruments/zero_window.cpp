@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/instruments/zero_window.h"
 
 #include <cmath>
@@ -50,9 +51,11 @@ void ZeroWindow::take(double hook_load, double pressure, double time) noexcept
 Zero ZeroWindow::over(double duration) const noexcept
 {
   Part all;
-  for (std::size_t k = 0; k < count_ && all.length < duration - time_rounding; ++k) all.join(parts_[(newest_ + most_parts - k) % most_parts]);
+  for (std::size_t k = 0; k < count_ && all.length < duration - time_rounding; ++k)
+    all.join(parts_[(newest_ + most_parts - k) % most_parts]);
   if (!(all.length > 0.0)) return {};
-  return {all.length, all.hook_load.mean, std::sqrt(all.hook_load.square / all.length), all.pressure.mean, std::sqrt(all.pressure.square / all.length)};
+  return {all.length, all.hook_load.mean, std::sqrt(all.hook_load.square / all.length), all.pressure.mean,
+          std::sqrt(all.pressure.square / all.length)};
 }
 
 }  // namespace drill_rig_sim

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Sphinx's configuration of the manual; src/manual/run calls it."""
 import os
 import re

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """What Sphinx makes of the blocks of pages.py, and the role `repo`, a file of the package that must be there."""
 import os
 import shutil

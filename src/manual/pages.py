@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """What a page of the manual shows and runs: its blocks, and a folder of its own in which they are run. Needs no Sphinx.
 
 A page is Markdown with these blocks, each between fences of three backticks:

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Puts the sources of the manual together: the pages written by hand, and those made from programs, messages and files.
 
 Usage: prepare.py FOLDER, or prepare.py --headers: the headers of the laws, which doxygen reads.

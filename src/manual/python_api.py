@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The reference of the Python modules, from their docstrings; nothing is imported."""
 import ast
 import os

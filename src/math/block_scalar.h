@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SRC_MATH_BLOCK_SCALAR_H
 #define DRILL_RIG_SIM_SRC_MATH_BLOCK_SCALAR_H
 
 #include <cmath>
 
-// Plain arithmetic of single blocks, six by six and two by two, row-major. Nothing here may change a bit: the scalar kernel is what
-// others are tested against.
+// Plain arithmetic of single blocks, six by six and two by two, row-major. Nothing here may change a bit: the scalar kernel is
+// what others are tested against.
 namespace drill_rig_sim
 {
 constexpr int kWidth = 14;  // a row of [D | U | b], padded to an even number of doubles
@@ -40,7 +41,8 @@ inline void subtract_above(Work work, const double* lower, const double* above_w
   }
 }
 
-/// Leaves the factors of D in the left part of work, L below the diagonal and U above it, the pivots inverted, and D^-1 [U | b] in the right.
+/// Leaves the factors of D in the left part of work, L below the diagonal and U above it, the pivots inverted, and D^-1 [U | b]
+/// in the right.
 inline bool eliminate(Work work) noexcept
 {
   for (int p = 0; p < 6; ++p)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Sweeps from both ends of a block-tridiagonal matrix to its middle: two chains of dependent arithmetic, one beside the other.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "math/block_sweeps.cpp"
@@ -11,7 +12,8 @@ namespace drill_rig_sim::HWY_NAMESPACE
 {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Substitution: a pair is two neighbouring numbers of a row of the one end and the two of the other, {a0, a1, b0, b1}, in a vector or two.
+// Substitution: a pair is two neighbouring numbers of a row of the one end and the two of the other, {a0, a1, b0, b1}, in a
+// vector or two.
 #if HWY_MAX_BYTES >= 32
 using Two = hn::FixedTag<double, 2>;
 using Four = hn::FixedTag<double, 4>;
@@ -27,10 +29,22 @@ HWY_INLINE void store(Pair v, double* a, double* b)
   hn::StoreU(hn::UpperHalf(Two(), v), Two(), b);
 }
 /// {x0 + x1, y0 + y1} of both ends.
-HWY_INLINE Pair sums(Pair x, Pair y) { return hn::Add(hn::InterleaveLower(Four(), x, y), hn::InterleaveUpper(Four(), x, y)); }
-HWY_INLINE Pair times(Pair x, Pair y) { return hn::Mul(x, y); }
-HWY_INLINE Pair plus_product(Pair sum, Pair x, Pair y) { return hn::MulAdd(x, y, sum); }
-HWY_INLINE Pair minus(Pair x, Pair y) { return hn::Sub(x, y); }
+HWY_INLINE Pair sums(Pair x, Pair y)
+{
+  return hn::Add(hn::InterleaveLower(Four(), x, y), hn::InterleaveUpper(Four(), x, y));
+}
+HWY_INLINE Pair times(Pair x, Pair y)
+{
+  return hn::Mul(x, y);
+}
+HWY_INLINE Pair plus_product(Pair sum, Pair x, Pair y)
+{
+  return hn::MulAdd(x, y, sum);
+}
+HWY_INLINE Pair minus(Pair x, Pair y)
+{
+  return hn::Sub(x, y);
+}
 #else
 using Two = hn::FixedTag<double, 2>;
 using Half = hn::Vec<Two>;
@@ -41,17 +55,35 @@ struct Pair
   Half a, b;
 };
 
-HWY_INLINE Pair load(const double* a, const double* b) { return {hn::LoadU(Two(), a), hn::LoadU(Two(), b)}; }
+HWY_INLINE Pair load(const double* a, const double* b)
+{
+  return {hn::LoadU(Two(), a), hn::LoadU(Two(), b)};
+}
 HWY_INLINE void store(Pair v, double* a, double* b)
 {
   hn::StoreU(v.a, Two(), a);
   hn::StoreU(v.b, Two(), b);
 }
-HWY_INLINE Half sum(Half x, Half y) { return hn::Add(hn::InterleaveLower(Two(), x, y), hn::InterleaveUpper(Two(), x, y)); }
-HWY_INLINE Pair sums(Pair x, Pair y) { return {sum(x.a, y.a), sum(x.b, y.b)}; }
-HWY_INLINE Pair times(Pair x, Pair y) { return {hn::Mul(x.a, y.a), hn::Mul(x.b, y.b)}; }
-HWY_INLINE Pair plus_product(Pair sum, Pair x, Pair y) { return {hn::MulAdd(x.a, y.a, sum.a), hn::MulAdd(x.b, y.b, sum.b)}; }
-HWY_INLINE Pair minus(Pair x, Pair y) { return {hn::Sub(x.a, y.a), hn::Sub(x.b, y.b)}; }
+HWY_INLINE Half sum(Half x, Half y)
+{
+  return hn::Add(hn::InterleaveLower(Two(), x, y), hn::InterleaveUpper(Two(), x, y));
+}
+HWY_INLINE Pair sums(Pair x, Pair y)
+{
+  return {sum(x.a, y.a), sum(x.b, y.b)};
+}
+HWY_INLINE Pair times(Pair x, Pair y)
+{
+  return {hn::Mul(x.a, y.a), hn::Mul(x.b, y.b)};
+}
+HWY_INLINE Pair plus_product(Pair sum, Pair x, Pair y)
+{
+  return {hn::MulAdd(x.a, y.a, sum.a), hn::MulAdd(x.b, y.b, sum.b)};
+}
+HWY_INLINE Pair minus(Pair x, Pair y)
+{
+  return {hn::Sub(x.a, y.a), hn::Sub(x.b, y.b)};
+}
 #endif
 
 using Row = Pair[3];  // six numbers of both ends
@@ -121,7 +153,10 @@ HWY_INLINE hn::Mask<Wide> lanes_below(int part, int lane)
   return hn::Lt(hn::Load(Wide(), kLaneNumbers + kLanes * part), hn::Set(Wide(), lane));
 }
 
-HWY_INLINE Vector every(double x) { return hn::Set(Wide(), x); }
+HWY_INLINE Vector every(double x)
+{
+  return hn::Set(Wide(), x);
+}
 
 /// Lane c of a line in all lanes.
 HWY_INLINE Vector spread(const Line& line, int c)
@@ -132,10 +167,14 @@ HWY_INLINE Vector spread(const Line& line, int c)
 #elif HWY_MAX_BYTES >= 32
   switch (c % kLanes)
   {
-    case 0: return Vector{_mm256_permute4x64_pd(v.raw, 0x00)};
-    case 1: return Vector{_mm256_permute4x64_pd(v.raw, 0x55)};
-    case 2: return Vector{_mm256_permute4x64_pd(v.raw, 0xaa)};
-    default: return Vector{_mm256_permute4x64_pd(v.raw, 0xff)};
+    case 0:
+      return Vector{_mm256_permute4x64_pd(v.raw, 0x00)};
+    case 1:
+      return Vector{_mm256_permute4x64_pd(v.raw, 0x55)};
+    case 2:
+      return Vector{_mm256_permute4x64_pd(v.raw, 0xaa)};
+    default:
+      return Vector{_mm256_permute4x64_pd(v.raw, 0xff)};
   }
 #else
   return c % kLanes == 0 ? hn::InterleaveLower(Wide(), v, v) : hn::InterleaveUpper(Wide(), v, v);
@@ -191,12 +230,14 @@ HWY_INLINE Vector inverse_of(Vector pivot, hn::Mask<Wide>& sound)
   return hn::Div(every(1.0), pivot);
 }
 
-/// One pivot of Gauss and Jordan, down the diagonal: of D, towards its inverse in place, and of the lines beside it, from [U | b] towards
-/// D^-1 [U | b]. `inverse`: of the pivot, and after it of the next, which is found ahead of its line: divisions make the longest chain.
+/// One pivot of Gauss and Jordan, down the diagonal: of D, towards its inverse in place, and of the lines beside it, from [U | b]
+/// towards D^-1 [U | b]. `inverse`: of the pivot, and after it of the next, which is found ahead of its line: divisions make the
+/// longest chain.
 HWY_INLINE void pivot_on(Lines& d, Lines& u, int p, Vector& inverse, hn::Mask<Wide>& sound)
 {
   Vector next = inverse;
-  if (p < 5) next = inverse_of(hn::NegMulAdd(hn::Mul(spread(d[p + 1], p), spread(d[p], p + 1)), inverse, spread(d[p + 1], p + 1)), sound);
+  if (p < 5)
+    next = inverse_of(hn::NegMulAdd(hn::Mul(spread(d[p + 1], p), spread(d[p], p + 1)), inverse, spread(d[p + 1], p + 1)), sound);
   const hn::Mask<Wide> in_column = lane_of(p / kLanes, p);
   for (int part = 0; part < kParts; ++part)
   {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SRC_MATH_BLOCK_SWEEPS_H
 #define DRILL_RIG_SIM_SRC_MATH_BLOCK_SWEEPS_H
 
@@ -18,8 +19,9 @@ struct SweepRow
   int row, step;
 };
 
-/// Sweeps over `count` neighbouring block rows of six, from `a` on and from `b` on at once; where both are the same, from there alone.
-/// Of row i and a sweep inwards by steps s: D is its diagonal block, L that to row i - s, zero where there is none, U that to row i + s.
+/// Sweeps over `count` neighbouring block rows of six, from `a` on and from `b` on at once; where both are the same, from there
+/// alone. Of row i and a sweep inwards by steps s: D is its diagonal block, L that to row i - s, zero where there is none, U that
+/// to row i + s.
 struct BlockSweeps
 {
   bool both_ends;  ///< whether a matrix is swept from both ends to its middle, or from the first row to the last

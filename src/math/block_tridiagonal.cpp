@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/math/block_tridiagonal.h"
 
 #include <algorithm>
@@ -67,21 +68,23 @@ bool eliminate_rows(const BlockRows& rows, SweepRow a, SweepRow b, int count, do
 
 void substitute_rows_inwards(const BlockRows& rows, SweepRow a, SweepRow b, int count, double* right) noexcept
 {
-  each(a, b, count, [&](SweepRow at)
-  {
-    double* here = right + 6 * at.row;
-    if (!is_first(rows, at)) subtract_product(to_last(rows, at, kSix), here - 6 * at.step, here);
-    solve_block(rows.diagonal + kSix * at.row, here);
-  });
+  each(a, b, count,
+       [&](SweepRow at)
+       {
+         double* here = right + 6 * at.row;
+         if (!is_first(rows, at)) subtract_product(to_last(rows, at, kSix), here - 6 * at.step, here);
+         solve_block(rows.diagonal + kSix * at.row, here);
+       });
 }
 
 void substitute_rows_outwards(const BlockRows& rows, SweepRow a, SweepRow b, int count, double* right) noexcept
 {
-  each(a, b, count, [&](SweepRow at)
-  {
-    double* here = right + 6 * at.row;
-    subtract_product(to_last(rows, at, kSix), here - 6 * at.step, here);
-  });
+  each(a, b, count,
+       [&](SweepRow at)
+       {
+         double* here = right + 6 * at.row;
+         subtract_product(to_last(rows, at, kSix), here - 6 * at.step, here);
+       });
 }
 
 /// What a sweep over small rows keeps of the row before: W, and y or x.
@@ -93,12 +96,12 @@ struct SmallRow
 };
 
 /// As BlockTridiagonal::eliminate_small(), between small rows.
-inline bool eliminate_two(SmallRow& before, const double* lower, double* diagonal, double* upper, double* b) noexcept
+inline bool eliminate_two(SmallRow& before, const double* lower, double* d, double* upper, double* b) noexcept
 {
   const double l00 = lower[0], l01 = lower[1], l10 = lower[2], l11 = lower[3];
-  const double d00 = diagonal[0] - (l00 * before.w00 + l01 * before.w10), d01 = diagonal[1] - (l00 * before.w01 + l01 * before.w11);
-  const double d10 = diagonal[2] - (l10 * before.w00 + l11 * before.w10), d11 = diagonal[3] - (l10 * before.w01 + l11 * before.w11);
-  const double right0 = b[0] - (l00 * before.first + l01 * before.second), right1 = b[1] - (l10 * before.first + l11 * before.second);
+  const double d00 = d[0] - (l00 * before.w00 + l01 * before.w10), d01 = d[1] - (l00 * before.w01 + l01 * before.w11);
+  const double d10 = d[2] - (l10 * before.w00 + l11 * before.w10), d11 = d[3] - (l10 * before.w01 + l11 * before.w11);
+  const double r0 = b[0] - (l00 * before.first + l01 * before.second), r1 = b[1] - (l10 * before.first + l11 * before.second);
   const double determinant = d00 * d11 - d01 * d10, scale = 1.0 / determinant;
   const double u00 = upper[0], u01 = upper[1], u10 = upper[2], u11 = upper[3];
   // the division is the longest wait: all else is done beside it
@@ -106,23 +109,23 @@ inline bool eliminate_two(SmallRow& before, const double* lower, double* diagona
   upper[1] = before.w01 = scale * (d11 * u01 - d01 * u11);
   upper[2] = before.w10 = scale * (d00 * u10 - d10 * u00);
   upper[3] = before.w11 = scale * (d00 * u11 - d10 * u01);
-  b[0] = before.first = scale * (d11 * right0 - d01 * right1);
-  b[1] = before.second = scale * (d00 * right1 - d10 * right0);
+  b[0] = before.first = scale * (d11 * r0 - d01 * r1);
+  b[1] = before.second = scale * (d00 * r1 - d10 * r0);
   b[2] = b[3] = b[4] = b[5] = 0.0;
-  diagonal[0] = scale * d11;
-  diagonal[1] = -scale * d01;
-  diagonal[2] = -scale * d10;
-  diagonal[3] = scale * d00;
+  d[0] = scale * d11;
+  d[1] = -scale * d01;
+  d[2] = -scale * d10;
+  d[3] = scale * d00;
   return std::abs(determinant) > 1e-200;  // also catches NaN
 }
 
 /// y = D^-1 (b - L y of the row before) with the inverse of D.
 inline void substitute_two(SmallRow& before, const double* lower, const double* inverse, double* b) noexcept
 {
-  const double right0 = b[0] - (lower[0] * before.first + lower[1] * before.second);
-  const double right1 = b[1] - (lower[2] * before.first + lower[3] * before.second);
-  b[0] = before.first = inverse[0] * right0 + inverse[1] * right1;
-  b[1] = before.second = inverse[2] * right0 + inverse[3] * right1;
+  const double r0 = b[0] - (lower[0] * before.first + lower[1] * before.second);
+  const double r1 = b[1] - (lower[2] * before.first + lower[3] * before.second);
+  b[0] = before.first = inverse[0] * r0 + inverse[1] * r1;
+  b[1] = before.second = inverse[2] * r0 + inverse[3] * r1;
 }
 
 /// x = y - W x of the row before.
@@ -133,8 +136,9 @@ inline void subtract_two(SmallRow& before, const double* w, double* b) noexcept
   b[0] = before.first = first;
 }
 
-/// As a function of two sweeps and a number of small rows: goes on in both in turns, for what they wait for they wait for together; general(at) for the first and the last of them, which may be beside rows of six, and for the others
-/// two(at, before), whose row before is still at hand. `right`: the right side of `rows`.
+/// A function of two sweeps and a number of small rows, which goes on in both in turns, so that they wait together: general(at)
+/// for the first and the last row, which may be beside rows of six, two(at, before) for the others. `right`: right side of
+/// `rows`.
 template <class General, class Two>
 auto small_in_turns(const BlockRows& rows, const double* right, General general, Two two) noexcept
 {
@@ -148,9 +152,11 @@ auto small_in_turns(const BlockRows& rows, const double* right, General general,
       a.row += a.step;
       b.row += b.step;
     };
-    const auto row_before = [&](SweepRow at) { return SmallRow(to_next(rows, previous(at), kSmall), right + 6 * previous(at).row); };
+    const auto row_before = [&](SweepRow at)
+    { return SmallRow(to_next(rows, previous(at), kSmall), right + 6 * previous(at).row); };
     both();
-    SmallRow before_a = count > 2 ? row_before(a) : SmallRow(rows.diagonal, right), before_b = count > 2 && !alone ? row_before(b) : before_a;
+    SmallRow before_a = count > 2 ? row_before(a) : SmallRow(rows.diagonal, right),
+             before_b = count > 2 && !alone ? row_before(b) : before_a;
     for (int k = 2; k < count; ++k, a.row += a.step, b.row += b.step)
     {
       two(a, before_a);
@@ -203,8 +209,8 @@ int BlockTridiagonal::middle() const noexcept
   return i;
 }
 
-/// Two sweeps beside each other, by runs of rows of a kind: small_rows(a, b, count) and six_rows(a, b, count) go on from both, or, where a
-/// and b are the same, from one.
+/// Two sweeps beside each other, by runs of rows of a kind: small_rows(a, b, count) and six_rows(a, b, count) go on from both,
+/// or, where a and b are the same, from one.
 template <class SmallRows, class SixRows>
 void BlockTridiagonal::sweep(SweepRow first, int left_first, SweepRow second, int left_second, SmallRows&& small_rows,
                              SixRows&& six_rows) const noexcept
@@ -227,8 +233,7 @@ void BlockTridiagonal::sweep(SweepRow first, int left_first, SweepRow second, in
     }
     const int count = of_a > 0 && of_b > 0 ? std::min(of_a, of_b) : std::max(of_a, of_b);
     const SweepRow from_a = of_a > 0 ? a.at : b.at, from_b = of_b > 0 ? b.at : a.at;
-    if (is_small) small_rows(from_a, from_b, count);
-    else six_rows(from_a, from_b, count);
+    is_small ? small_rows(from_a, from_b, count) : six_rows(from_a, from_b, count);
     if (of_a > 0) a.take(count);
     if (of_b > 0) b.take(count);
   }
@@ -252,8 +257,10 @@ void BlockTridiagonal::sweep(SweepRow first, int left_first, SweepRow second, in
 {
   if (is_first(six(), at)) return;
   double* d = small_diagonal_.data() + kSmall * at.row;
-  if (small(at.row - at.step)) subtract_small_above(d, to_last(twos(), at, kSmall), to_next(twos(), previous(at), kSmall));
-  else subtract_six_above(d, to_last(six(), at, kSix), to_next(six(), previous(at), kSix));
+  if (small(at.row - at.step))
+    subtract_small_above(d, to_last(twos(), at, kSmall), to_next(twos(), previous(at), kSmall));
+  else
+    subtract_six_above(d, to_last(six(), at, kSix), to_next(six(), previous(at), kSix));
 }
 
 /// b -= L y of the row before.
@@ -261,8 +268,10 @@ void BlockTridiagonal::sweep(SweepRow first, int left_first, SweepRow second, in
 {
   if (is_first(six(), at)) return;
   double *right = b + 6 * at.row, *last = right - 6 * at.step;
-  if (small(at.row) && small(at.row - at.step)) subtract_small_product(to_last(twos(), at, kSmall), last, right);
-  else subtract_product(to_last(six(), at, kSix), last, right);
+  if (small(at.row) && small(at.row - at.step))
+    subtract_small_product(to_last(twos(), at, kSmall), last, right);
+  else
+    subtract_product(to_last(six(), at, kSix), last, right);
 }
 
 [[gnu::always_inline]] inline void BlockTridiagonal::substitute_small(SweepRow at, double* b) const noexcept
@@ -279,8 +288,10 @@ void BlockTridiagonal::sweep(SweepRow first, int left_first, SweepRow second, in
   if (!invert_small(d)) return false;
   substitute_small(at, b);
   std::fill(b + 6 * at.row + 2, b + 6 * at.row + 6, 0.0);
-  if (small(at.row + at.step)) multiply_small(d, to_next(twos(), at, kSmall), 2, 2);
-  else multiply_small(d, to_next(six(), at, kSix), 6, 6);
+  if (small(at.row + at.step))
+    multiply_small(d, to_next(twos(), at, kSmall), 2, 2);
+  else
+    multiply_small(d, to_next(six(), at, kSix), 6, 6);
   return true;
 }
 
@@ -301,7 +312,8 @@ bool BlockTridiagonal::eliminate_middle(double* b) noexcept
   double* diagonal = diagonal_.data() + kSix * middle_;
   load(work, diagonal, diagonal, right);  // what stands for U is not used
   for (const SweepRow at : {down, up})
-    if (!is_first(six(), at)) subtract_above(work, to_last(six(), at, kSix), to_next(six(), previous(at), kSix), right - 6 * at.step);
+    if (!is_first(six(), at))
+      subtract_above(work, to_last(six(), at, kSix), to_next(six(), previous(at), kSix), right - 6 * at.step);
   if (!eliminate(work)) return false;
   for (int r = 0; r < 6; ++r)
   {
@@ -315,16 +327,20 @@ void BlockTridiagonal::substitute_middle(double* b) const noexcept
 {
   subtract_from_right({middle_, 1}, b);
   subtract_from_right({middle_, -1}, b);
-  if (small(middle_)) multiply_small(small_diagonal_.data() + kSmall * middle_, b + 6 * middle_, 1, 1);
-  else solve_block(diagonal_.data() + kSix * middle_, b + 6 * middle_);
+  if (small(middle_))
+    multiply_small(small_diagonal_.data() + kSmall * middle_, b + 6 * middle_, 1, 1);
+  else
+    solve_block(diagonal_.data() + kSix * middle_, b + 6 * middle_);
 }
 
 void BlockTridiagonal::substitute_outwards(double* b) const noexcept
 {
-  sweep({middle_ - 1, -1}, middle_, {middle_ + 1, 1}, n_ - 1 - middle_,
-        small_in_turns(twos(), b, [&](SweepRow at) { subtract_from_right(at, b); },
-                       [rows = twos(), b](SweepRow at, SmallRow& before) { subtract_two(before, to_last(rows, at, kSmall), b + 6 * at.row); }),
-        [&](SweepRow first, SweepRow second, int count) { sweeps_->substitute_outwards(six(), first, second, count, b); });
+  sweep(
+      {middle_ - 1, -1}, middle_, {middle_ + 1, 1}, n_ - 1 - middle_,
+      small_in_turns(
+          twos(), b, [&](SweepRow at) { subtract_from_right(at, b); },
+          [rows = twos(), b](SweepRow at, SmallRow& before) { subtract_two(before, to_last(rows, at, kSmall), b + 6 * at.row); }),
+      [&](SweepRow first, SweepRow second, int count) { sweeps_->substitute_outwards(six(), first, second, count, b); });
 }
 
 bool BlockTridiagonal::solve(double* b) noexcept
@@ -333,11 +349,13 @@ bool BlockTridiagonal::solve(double* b) noexcept
   middle_ = middle();
   bool done = true;
   sweep({0, 1}, middle_, {n_ - 1, -1}, n_ - 1 - middle_,
-        small_in_turns(twos(), b, [&](SweepRow at) { done = done && eliminate_small(at, b); },
-                       [&done, rows = twos(), b](SweepRow at, SmallRow& before)
-                       {
-                         done &= eliminate_two(before, to_last(rows, at, kSmall), rows.diagonal + kSmall * at.row, to_next(rows, at, kSmall), b + 6 * at.row);
-                       }),
+        small_in_turns(
+            twos(), b, [&](SweepRow at) { done = done && eliminate_small(at, b); },
+            [&done, rows = twos(), b](SweepRow at, SmallRow& before)
+            {
+              done &= eliminate_two(before, to_last(rows, at, kSmall), rows.diagonal + kSmall * at.row, to_next(rows, at, kSmall),
+                                    b + 6 * at.row);
+            }),
         [&](SweepRow first, SweepRow second, int count) { done = done && sweeps_->eliminate(six(), first, second, count, b); });
   if (!done || !eliminate_middle(b)) return false;
   substitute_outwards(b);
@@ -348,9 +366,10 @@ void BlockTridiagonal::solve_again(double* b) const noexcept
 {
   if (n_ == 0) return;
   sweep({0, 1}, middle_, {n_ - 1, -1}, n_ - 1 - middle_,
-        small_in_turns(twos(), b, [&](SweepRow at) { substitute_small(at, b); },
-                       [rows = twos(), b](SweepRow at, SmallRow& before)
-                       { substitute_two(before, to_last(rows, at, kSmall), rows.diagonal + kSmall * at.row, b + 6 * at.row); }),
+        small_in_turns(
+            twos(), b, [&](SweepRow at) { substitute_small(at, b); },
+            [rows = twos(), b](SweepRow at, SmallRow& before)
+            { substitute_two(before, to_last(rows, at, kSmall), rows.diagonal + kSmall * at.row, b + 6 * at.row); }),
         [&](SweepRow first, SweepRow second, int count) { sweeps_->substitute_inwards(six(), first, second, count, b); });
   substitute_middle(b);
   substitute_outwards(b);
@@ -364,12 +383,18 @@ void BlockTridiagonal::multiply(const double* x, double* y) noexcept
     Eigen::Map<Vector> out(y + size * i);
     const Eigen::Map<const Vector> at(x + size * i);
     out.setZero();
-    if (small(i)) out.head<2>() = small_diagonal(i) * at.head<2>();
-    else out = diagonal(i) * at;
-    if (i > 0 && both_small(i - 1)) out.head<2>() += small_lower(i - 1) * Eigen::Map<const Eigen::Vector2d>(x + size * (i - 1));
-    else if (i > 0) out += lower(i - 1) * Eigen::Map<const Vector>(x + size * (i - 1));
-    if (i + 1 < n_ && both_small(i)) out.head<2>() += small_upper(i) * Eigen::Map<const Eigen::Vector2d>(x + size * (i + 1));
-    else if (i + 1 < n_) out += upper(i) * Eigen::Map<const Vector>(x + size * (i + 1));
+    if (small(i))
+      out.head<2>() = small_diagonal(i) * at.head<2>();
+    else
+      out = diagonal(i) * at;
+    if (i > 0 && both_small(i - 1))
+      out.head<2>() += small_lower(i - 1) * Eigen::Map<const Eigen::Vector2d>(x + size * (i - 1));
+    else if (i > 0)
+      out += lower(i - 1) * Eigen::Map<const Vector>(x + size * (i - 1));
+    if (i + 1 < n_ && both_small(i))
+      out.head<2>() += small_upper(i) * Eigen::Map<const Eigen::Vector2d>(x + size * (i + 1));
+    else if (i + 1 < n_)
+      out += upper(i) * Eigen::Map<const Vector>(x + size * (i + 1));
   }
 }
 

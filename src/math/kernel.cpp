@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/math/kernel.h"
 
 #ifdef DRILL_RIG_SIM_HIGHWAY

@@ -1,5 +1,6 @@
-// Exponentials and powers for the laws' texts (math/vector_text.h); behind math/lanes.h, in sources that include <hwy/contrib/math/math-inl.h>. No include
-// guard: it is included once for each set of instructions.
+// SPDX-License-Identifier: BSD-3-Clause
+// Exponentials and powers for the laws' texts (math/vector_text.h); behind math/lanes.h, in sources that include
+// <hwy/contrib/math/math-inl.h>. No include guard: it is included once for each set of instructions.
 
 HWY_INLINE V exp_of(V a)
 {

@@ -1,5 +1,6 @@
-// Numbers of several nodes or elements from and to rows of memory, one row each. Part of math/lanes.h, which includes it where the vectors are known;
-// no include guard, for the same reason.
+// SPDX-License-Identifier: BSD-3-Clause
+// Numbers of several nodes or elements from and to rows of memory, one row each. Part of math/lanes.h, which includes it where
+// the vectors are known; no include guard, for the same reason.
 
 /// Rows of memory to write to, a node's or an element's each; those that are not used go to a spare one.
 struct Rows

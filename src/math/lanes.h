@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Vectors of three with a number of several nodes or elements in each component, and their way from and to rows of memory.
 // Included by a source of batch kernels inside its namespace, once for each set of instructions (math/simd.h); no include guard,
 // therefore.

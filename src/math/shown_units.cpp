@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/math/shown_units.h"
 
 #include <cstddef>
@@ -32,7 +33,7 @@ constexpr Row rows[] = {
     {"m3/s", {"L/min", 6e4, 0}, {"gpm", per(exact::gallon / 60.0L), 0}},
     {"m", {"m", 1.0, 2}, {"ft", per(exact::foot), 2}},
     {"m", {"mm", 1e3, 1}, {"in", per(exact::inch), 3}},
-    {"m2", {"mm2", 1e6, 1}, {"in2", per(exact::inch * exact::inch), 3}},
+    {"m2", {"mm2", 1e6, 1}, {"in2", per(exact::inch* exact::inch), 3}},
     {"m/s", {"m/s", 1.0, 3}, {"ft/min", per(exact::foot / 60.0L), 1}},
     {"rad", {"deg", 180.0 / pi, 1}, {"deg", 180.0 / pi, 1}},
     {"kg/m3", {"kg/m3", 1.0, 0}, {"ppg", per(exact::pound / exact::gallon), 2}},
@@ -41,14 +42,17 @@ constexpr Row rows[] = {
     {"kg", {"kg", 1.0, 0}, {"lbm", per(exact::pound), 0}},
     {"m3", {"m3", 1.0, 1}, {"bbl", per(exact::barrel), 1}},
     {"rad/m", {"deg/30 m", 30.0 / degree, 2}, {"deg/100 ft", 100.0 * static_cast<double>(exact::foot) / degree, 2}},
-    {"N m s/rad", {"N m s/rad", 1.0, 0}, {"ft.lbf.s/rad", per(exact::pound_force * exact::foot), 0}},
-    {"N m/rad", {"N m/rad", 1.0, 0}, {"ft.lbf/rad", per(exact::pound_force * exact::foot), 0}},
+    {"N m s/rad", {"N m s/rad", 1.0, 0}, {"ft.lbf.s/rad", per(exact::pound_force* exact::foot), 0}},
+    {"N m/rad", {"N m/rad", 1.0, 0}, {"ft.lbf/rad", per(exact::pound_force* exact::foot), 0}},
     {"1", {"%", 100.0, 0}, {"%", 100.0, 0}},
     {"1", {"", 1.0, 2}, {"", 1.0, 2}},
 };
 static_assert(sizeof(rows) / sizeof(rows[0]) == static_cast<std::size_t>(Dimension::count), "a row for each dimension");
 
-const Row& row(Dimension dimension) { return rows[static_cast<std::size_t>(dimension)]; }
+const Row& row(Dimension dimension)
+{
+  return rows[static_cast<std::size_t>(dimension)];
+}
 }  // namespace
 
 const Unit& unit_of(Dimension dimension, UnitSystem system)
@@ -56,10 +60,19 @@ const Unit& unit_of(Dimension dimension, UnitSystem system)
   return system == UnitSystem::si ? row(dimension).metric : row(dimension).oilfield;
 }
 
-const char* si_name(Dimension dimension) { return row(dimension).si; }
+const char* si_name(Dimension dimension)
+{
+  return row(dimension).si;
+}
 
-double to_shown(double si, Dimension dimension, UnitSystem system) { return si * unit_of(dimension, system).per_si; }
+double to_shown(double si, Dimension dimension, UnitSystem system)
+{
+  return si * unit_of(dimension, system).per_si;
+}
 
-double to_si(double shown, Dimension dimension, UnitSystem system) { return shown / unit_of(dimension, system).per_si; }
+double to_si(double shown, Dimension dimension, UnitSystem system)
+{
+  return shown / unit_of(dimension, system).per_si;
+}
 
 }  // namespace drill_rig_sim

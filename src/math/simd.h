@@ -1,5 +1,6 @@
-// Included by a source of batch kernels in place of Highway's headers. The source is compiled once for each set of instructions, and hands
-// out tables of its functions by kernel:
+// SPDX-License-Identifier: BSD-3-Clause
+// Included by a source of batch kernels in place of Highway's headers. The source is compiled once for each set of instructions,
+// and hands out tables of its functions by kernel:
 //
 //   #undef HWY_TARGET_INCLUDE
 //   #define HWY_TARGET_INCLUDE "math/the_source.cpp"  // itself, as seen from src/
@@ -23,7 +24,8 @@
 //   }
 //   #endif
 //
-// Without Highway (DRILL_RIG_SIM_HIGHWAY) the scalar table alone is left. No include guard: Highway's headers tell the passes apart.
+// Without Highway (DRILL_RIG_SIM_HIGHWAY) the scalar table alone is left. No include guard: Highway's headers tell the passes
+// apart.
 
 #include "drill_rig_sim/math/kernel.h"
 
@@ -68,22 +70,28 @@ namespace drill_rig_sim
 {
 /// Of a table each, the asked kernel's.
 template <class Table>
-const Table* table_of_kernel(Kernel kernel, const Table* scalar, const Table* sse4, const Table* avx2, const Table* avx512, const Table* neon) noexcept
+const Table* table_of_kernel(Kernel kernel, const Table* scalar, const Table* sse4, const Table* avx2, const Table* avx512,
+                             const Table* neon) noexcept
 {
   switch (kernel)
   {
-    case Kernel::sse4: return sse4;
-    case Kernel::avx2: return avx2;
-    case Kernel::avx512: return avx512;
-    case Kernel::neon: return neon;
-    default: return scalar;
+    case Kernel::sse4:
+      return sse4;
+    case Kernel::avx2:
+      return avx2;
+    case Kernel::avx512:
+      return avx512;
+    case Kernel::neon:
+      return neon;
+    default:
+      return scalar;
   }
 }
 }  // namespace drill_rig_sim
 #endif
-/// A pointer to the table of a kernel: to the scalar one as it is given, or to that of this name in Highway's namespaces. What is not built
-/// is scalar (has_kernel()).
-#define DRILL_RIG_SIM_TABLE(kernel, scalar, table)                                                                            \
-  table_of_kernel(kernel, scalar, DRILL_RIG_SIM_OF_SSE4(scalar, table), DRILL_RIG_SIM_OF_AVX2(scalar, table),                  \
+/// A pointer to the table of a kernel: to the scalar one as it is given, or to that of this name in Highway's namespaces. What is
+/// not built is scalar (has_kernel()).
+#define DRILL_RIG_SIM_TABLE(kernel, scalar, table)                                                            \
+  table_of_kernel(kernel, scalar, DRILL_RIG_SIM_OF_SSE4(scalar, table), DRILL_RIG_SIM_OF_AVX2(scalar, table), \
                   DRILL_RIG_SIM_OF_AVX512(scalar, table), DRILL_RIG_SIM_OF_NEON(scalar, table))
 #endif

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/math/unit_table.h"
 
 #include <algorithm>
@@ -8,67 +9,89 @@ namespace drill_rig_sim
 {
 namespace
 {
-using exact::barrel, exact::foot, exact::gallon, exact::gravity, exact::inch, exact::pound, exact::pound_force, exact::psi, exact::turn, exact::uk_gallon;
+using exact::barrel, exact::foot, exact::gallon, exact::gravity, exact::inch, exact::pound, exact::pound_force, exact::psi,
+    exact::turn, exact::uk_gallon;
 
 constexpr bool rare = false;
 constexpr long double minute = 60.0L, hour = 3600.0L, day = 86400.0L;
 constexpr long double litre = 1e-3L;
 constexpr long double deg = turn / 360.0L, rev_per_minute = turn / 60.0L;
-constexpr long double pound_foot = pound_force * foot;    // [N m]
-constexpr long double pound_per_gallon = pound / gallon;  // [kg/m3]
-constexpr long double pound_per_foot = pound / foot;      // [kg/m]
-constexpr long double foot3 = foot * foot * foot;         // [m3]
+constexpr long double pound_foot = pound_force * foot;          // [N m]
+constexpr long double pound_per_gallon = pound / gallon;        // [kg/m3]
+constexpr long double pound_per_foot = pound / foot;            // [kg/m]
+constexpr long double foot3 = foot * foot * foot;               // [m3]
 constexpr long double short_ton = 2000.0L, long_ton = 2240.0L;  // in pounds
-constexpr long double survey_foot = 1200.0L / 3937.0L;     // of the USA, until 2022 [m]
+constexpr long double survey_foot = 1200.0L / 3937.0L;          // of the USA, until 2022 [m]
 
 // clang-format off
-// of sizes, times, forces and pressures
+// of sizes, times and forces
 std::vector<UnitFamily> first_families()
 {
   return {
   {"a length", {
     {"m", 1.0L, "metre metres meter meters mtr mtrs mts mrt"}, {"mm", 1e-3L}, {"cm", 1e-2L}, {"km", 1e3L},
-    {"ft", foot, "feet foot f ift '"}, {"in", inch, "inch inches \""}, {"ftUS", survey_foot, "usft us.ft ft.us ussft us.survey.ft us.survey.feet ussurveyft ussurveyfeet ftsurvey"},
+    {"ft", foot, "feet foot f ift '"}, {"in", inch, "inch inches \""},
+        {"ftUS", survey_foot, "usft us.ft ft.us ussft us.survey.ft us.survey.feet ussurveyft ussurveyfeet ftsurvey"},
     {"yd", 3.0L * foot, "yard yards", rare}}},
   {"a mass", {
-    {"kg", 1.0L}, {"g", 1e-3L}, {"t", 1e3L, "te tonne tonnes metric.ton metric.tons"}, {"lbm", pound, "lb lbs pound pounds"}, {"klbm", 1e3L * pound, "klb klbs"},
+    {"kg", 1.0L}, {"g", 1e-3L}, {"t", 1e3L, "te tonne tonnes metric.ton metric.tons"}, {"lbm", pound, "lb lbs pound pounds"},
+        {"klbm", 1e3L * pound, "klb klbs"},
     {"tonUS", short_ton * pound, "short.ton short.tons ston stons"}, {"tonUK", long_ton * pound, "long.ton long.tons"}},
     {{"ton tons", "t, tonUS or tonUK"}}},
   {"a time", {
-    {"s", 1.0L, "sec secs second seconds second(s)"}, {"ms", 1e-3L, "msec millisecond milliseconds"}, {"min", minute, "mins minute minutes minute(s)"},
+    {"s", 1.0L, "sec secs second seconds second(s)"}, {"ms", 1e-3L, "msec millisecond milliseconds"},
+        {"min", minute, "mins minute minutes minute(s)"},
     {"h", hour, "hr hrs hour hours hour(s)"}, {"d", day, "day days"}, {"us", 1e-6L, "usec", rare}}},
   {"an angle", {
-    {"rad", 1.0L, "rads radian radians"}, {"deg", deg, "degs degree degrees dega"}, {"rev", turn, "revs"}, {"gon", turn / 400.0L, "gons"}},
+    {"rad", 1.0L, "rads radian radians"}, {"deg", deg, "degs degree degrees dega"}, {"rev", turn, "revs"},
+        {"gon", turn / 400.0L, "gons"}},
     {{"grad grads", "gon or deg"}}},
   {"a force", {
-    {"N", 1.0L, "newton newtons"}, {"daN", 10.0L}, {"kN", 1e3L, "k.n kilonewton kilonewtons"}, {"MN", 1e6L}, {"kgf", gravity, "kg"},
-    {"tf", 1e3L * gravity, "kkgf t te tonne tonnes tonnef tonne.f metric.ton metric.tons metricton metrictons ton(metric) tonf.metric tonfm 1000.kgf 1000kgf 1000.kg 1000kg"},
+    {"N", 1.0L, "newton newtons"}, {"daN", 10.0L}, {"kN", 1e3L, "k.n kilonewton kilonewtons"}, {"MN", 1e6L},
+        {"kgf", gravity, "kg"},
+    {"tf", 1e3L * gravity, "kkgf t te tonne tonnes tonnef tonne.f metric.ton metric.tons metricton metrictons ton(metric) "
+        "tonf.metric tonfm 1000.kgf 1000kgf 1000.kg 1000kg"},
     {"lbf", pound_force, "lb lbs lbsf lb.f pound pounds pounds.force poundforce"},
-    {"klbf", 1e3L * pound_force, "klb klbs klbsf klbm klb.f kip kips k.lb k.lbs k.lbf kpound kpounds kilopounds 1000.lbf 1000.lb 1000.lbs 1000lbf 1000lb 1000lbs"},
+    {"klbf", 1e3L * pound_force, "klb klbs klbsf klbm klb.f kip kips k.lb k.lbs k.lbf kpound kpounds kilopounds 1000.lbf "
+        "1000.lb 1000.lbs 1000lbf 1000lb 1000lbs"},
     {"tonfUS", short_ton * pound_force, "ustonf ton(us) tons(us) ston stons short.ton short.tons us.ton us.tons"},
     {"tonfUK", long_ton * pound_force, "uktonf ton(uk) tons(uk) long.ton long.tons"},
-    {"kdaN", 1e4L, "1000.dan 10.kn", rare}, {"Mgf", 1e3L * gravity, "", rare}, {"gf", 1e-3L * gravity, "", rare}, {"dyne", 1e-5L, "", rare}, {"kdyne", 1e-2L, "", rare},
+    {"kdaN", 1e4L, "1000.dan 10.kn", rare}, {"Mgf", 1e3L * gravity, "", rare}, {"gf", 1e-3L * gravity, "", rare},
+        {"dyne", 1e-5L, "", rare}, {"kdyne", 1e-2L, "", rare},
     {"ozf", pound_force / 16.0L, "", rare}},
     {{"ton tons tonf tonsf kton mt", "tonfUS (2000 lbf), tonfUK (2240 lbf) or 1000 kgf (tf)"},
      {"mlbf mlb mlbs", "klbf (1000 lbf); M is a thousand in some files, a million in others"}}},
   {"a torque", {
-    {"N.m", 1.0L, "nm"}, {"daN.m", 10.0L, "danm"}, {"kN.m", 1e3L, "knm"}, {"kgf.m", gravity, "kg.m kgm m.kgf"}, {"lbf.in", pound_force * inch, "lb.in in.lbf in.lb in.lbs"},
+    {"N.m", 1.0L, "nm"}, {"daN.m", 10.0L, "danm"}, {"kN.m", 1e3L, "knm"}, {"kgf.m", gravity, "kg.m kgm m.kgf"},
+        {"lbf.in", pound_force * inch, "lb.in in.lbf in.lb in.lbs"},
     {"ft.lbf", pound_foot, "ft.lb ft.lbs lbf.ft lb.ft lbs.ft ftlb ftlbs ftlbf lbft foot.pound foot.pounds"},
-    {"kft.lbf", 1e3L * pound_foot, "kft.lb kft.lbs klbf.ft klb.ft klbs.ft kftlb kftlbs kftlbf klbft ft.klbf ft.klb ft.klbs ft.kip ft.kips kip.ft kips.ft k.lb.ft k.lbs.ft k.lbf.ft "
-                                   "k.ft.lb k.ft.lbf k.ft.lbs 1000.ft.lbf 1000.ft.lb 1000.ft.lbs 1000.lbf.ft"},
+    {"kft.lbf", 1e3L * pound_foot, "kft.lb kft.lbs klbf.ft klb.ft klbs.ft kftlb kftlbs kftlbf klbft ft.klbf ft.klb ft.klbs "
+        "ft.kip ft.kips kip.ft kips.ft k.lb.ft k.lbs.ft k.lbf.ft "
+      "k.ft.lb k.ft.lbf k.ft.lbs 1000.ft.lbf 1000.ft.lb 1000.ft.lbs 1000.lbf.ft"},
     {"kdaN.m", 1e4L, "kdanm", rare}, {"MN.m", 1e6L, "", rare}, {"dN.m", 0.1L, "", rare}, {"kkgf.m", 1e3L * gravity, "tf.m", rare},
     {"tonfUS.ft", short_ton * pound_foot, "", rare}},
     {{"ton.ft tonf.ft ft.ton ft.tonf", "tonfUS.ft"}}},
+  };
+}
+
+// of pressures and densities
+std::vector<UnitFamily> families_of_fluids()
+{
+  return {
   {"a pressure", {
-    {"Pa", 1.0L, "n/m2"}, {"kPa", 1e3L, "kn/m2"}, {"MPa", 1e6L, "n/mm2"}, {"GPa", 1e9L}, {"bar", 1e5L, "bars barg bar(g)"}, {"atm", 101325.0L},
-    {"kgf/cm2", 1e4L * gravity, "kg/cm2 kgcm2 ksc at"}, {"psi", psi, "psig psi(g) lbf/in2 lb/in2 lbs/in2"}, {"ksi", 1e3L * psi, "kpsi"},
+    {"Pa", 1.0L, "n/m2"}, {"kPa", 1e3L, "kn/m2"}, {"MPa", 1e6L, "n/mm2"}, {"GPa", 1e9L}, {"bar", 1e5L, "bars barg bar(g)"},
+        {"atm", 101325.0L},
+    {"kgf/cm2", 1e4L * gravity, "kg/cm2 kgcm2 ksc at"}, {"psi", psi, "psig psi(g) lbf/in2 lb/in2 lbs/in2"},
+        {"ksi", 1e3L * psi, "kpsi"},
     {"lbf/100ft2", pound_force / (100.0L * foot * foot), "lb/100ft2"},
-    {"lbf/ft2", pound_force / (foot * foot), "psf", rare}, {"hPa", 100.0L, "mbar", rare}, {"hbar", 1e7L, "", rare}, {"kgf/m2", gravity, "", rare},
+    {"lbf/ft2", pound_force / (foot * foot), "psf", rare}, {"hPa", 100.0L, "mbar", rare}, {"hbar", 1e7L, "", rare},
+        {"kgf/m2", gravity, "", rare},
     {"kgf/mm2", 1e6L * gravity, "", rare}}},
   {"an energy per volume", {
     {"J/m3", 1.0L}, {"MJ/m3", 1e6L}, {"Pa", 1.0L}, {"MPa", 1e6L}, {"psi", psi}, {"ksi", 1e3L * psi, "kpsi"}}},
   {"a density", {
-    {"kg/m3", 1.0L}, {"g/cm3", 1e3L, "kg/l g/cc"}, {"ppg", pound_per_gallon, "lbm/galus lb/galus"}, {"lbm/ft3", pound / foot3, "lb/ft3 pcf"}},
+    {"kg/m3", 1.0L}, {"g/cm3", 1e3L, "kg/l g/cc"}, {"ppg", pound_per_gallon, "lbm/galus lb/galus"},
+        {"lbm/ft3", pound / foot3, "lb/ft3 pcf"}},
     {{"lb/gal lbs/gal lbm/gal", "ppg"},  // of the US gallon; a sixth less of the UK one
      {"sg s.g", "g/cm3"}}},              // of water at 4 deg C, 60 deg F or 20 deg C
   };
@@ -79,29 +102,38 @@ std::vector<UnitFamily> further_families()
 {
   return {
   {"a viscosity", {{"Pa.s", 1.0L}, {"mPa.s", 1e-3L}, {"cP", 1e-3L}}},
-  {"a consistency", {{"Pa.s^n", 1.0L}, {"mPa.s^n", 1e-3L, "eq.cp"}, {"lbf.s^n/100ft2", pound_force / (100.0L * foot * foot), "lb.sn/100ft2"}}},
+  {"a consistency", {{"Pa.s^n", 1.0L}, {"mPa.s^n", 1e-3L, "eq.cp"},
+      {"lbf.s^n/100ft2", pound_force / (100.0L * foot * foot), "lb.sn/100ft2"}}},
   {"a speed", {
     {"m/s", 1.0L, "m/sec"}, {"m/min", 1.0L / minute, "mpm mtr/min"}, {"m/h", 1.0L / hour, "m/hr mph mtr/hr"},
     {"ft/s", foot, "fps ft/sec"}, {"ft/min", foot / minute, "fpm feet/min"}, {"ft/h", foot / hour, "ft/hr fph feet/hr feet/hour"},
-    {"cm/s", 1e-2L, "", rare}, {"mm/s", 1e-3L, "", rare}, {"km/h", 1e3L / hour, "", rare}, {"m/d", 1.0L / day, "", rare}, {"ft/d", foot / day, "", rare},
+    {"cm/s", 1e-2L, "", rare}, {"mm/s", 1e-3L, "", rare}, {"km/h", 1e3L / hour, "", rare}, {"m/d", 1.0L / day, "", rare},
+        {"ft/d", foot / day, "", rare},
     {"kft/h", 1e3L * foot / hour, "", rare}, {"in/s", inch, "", rare}, {"in/min", inch / minute, "", rare}}},
   {"an angular speed", {
-    {"rad/s", 1.0L, "rad/sec"}, {"rpm", rev_per_minute, "rev/min c/min r/min 1/min revs/min /min min.1 rev.min.1 r.p.m rpms"}, {"deg/s", deg, "dega/s"}, {"rev/s", turn, "c/s rps hz"},
+    {"rad/s", 1.0L, "rad/sec"}, {"rpm", rev_per_minute, "rev/min c/min r/min 1/min revs/min /min min.1 rev.min.1 r.p.m rpms"},
+        {"deg/s", deg, "dega/s"}, {"rev/s", turn, "c/s rps hz"},
     {"rev/h", turn / hour, "c/h", rare}, {"deg/min", deg / minute, "dega/min", rare}, {"deg/h", deg / hour, "dega/h", rare}}},
   {"an angular acceleration", {{"rad/s2", 1.0L}, {"rpm/s", rev_per_minute}, {"deg/s2", deg}}},
   {"an acceleration", {{"m/s2", 1.0L}, {"ft/s2", foot}}},
   {"a flow", {
-    {"m3/s", 1.0L}, {"m3/min", 1.0L / minute, "m3pm kl/min 1000.l/min"}, {"m3/h", 1.0L / hour, "m3/hr"}, {"L/s", litre, "lps l/sec ltr/s dm3/s"},
+    {"m3/s", 1.0L}, {"m3/min", 1.0L / minute, "m3pm kl/min 1000.l/min"}, {"m3/h", 1.0L / hour, "m3/hr"},
+        {"L/s", litre, "lps l/sec ltr/s dm3/s"},
     {"L/min", litre / minute, "lpm ltr/min lt/min liter/min liters/min litre/min litres/min l/minute dm3/min"},
     // a gallon of the oilfield is that of the USA
-    {"gpm", gallon / minute, "galus/min galus/minute gal/min gals/min gal(us)/min us.gal/min usgal/min usg/min usgpm us.gpm gpm(us)"},
-    {"bbl/min", barrel / minute, "bpm bbls/min stb/min"}, {"galUK/min", uk_gallon / minute, "gal(uk)/min uk.gal/min ukgal/min impgal/min igpm"},
-    {"m3/d", 1.0L / day, "", rare}, {"L/h", litre / hour, "", rare}, {"cm3/s", 1e-6L, "", rare}, {"cm3/min", 1e-6L / minute, "", rare}, {"galUS/s", gallon, "", rare},
-    {"galUS/h", gallon / hour, "gal/h gal/hr", rare}, {"galUS/d", gallon / day, "", rare}, {"galUK/h", uk_gallon / hour, "", rare},
+    {"gpm", gallon / minute, "galus/min galus/minute gal/min gals/min gal(us)/min us.gal/min usgal/min usg/min usgpm us.gpm "
+        "gpm(us)"},
+    {"bbl/min", barrel / minute, "bpm bbls/min stb/min"},
+        {"galUK/min", uk_gallon / minute, "gal(uk)/min uk.gal/min ukgal/min impgal/min igpm"},
+    {"m3/d", 1.0L / day, "", rare}, {"L/h", litre / hour, "", rare}, {"cm3/s", 1e-6L, "", rare},
+        {"cm3/min", 1e-6L / minute, "", rare}, {"galUS/s", gallon, "", rare},
+    {"galUS/h", gallon / hour, "gal/h gal/hr", rare}, {"galUS/d", gallon / day, "", rare},
+        {"galUK/h", uk_gallon / hour, "", rare},
     {"bbl/h", barrel / hour, "bbl/hr bph", rare}, {"bbl/d", barrel / day, "", rare}, {"kbbl/d", 1e3L * barrel / day, "", rare},
     {"ft3/s", foot3, "", rare}, {"ft3/min", foot3 / minute, "cfm cu.ft/min", rare}, {"ft3/h", foot3 / hour, "", rare}}},
   {"a change of flow", {{"m3/s2", 1.0L}, {"L/s2", litre}, {"L/min/s", litre / minute}, {"gpm/s", gallon / minute}}},
-  {"a volume", {{"m3", 1.0L}, {"L", litre}, {"galUS", gallon}, {"galUK", uk_gallon}, {"bbl", barrel, "bbls"}, {"ft3", foot3}, {"in3", inch * inch * inch}},
+  {"a volume", {{"m3", 1.0L}, {"L", litre}, {"galUS", gallon}, {"galUK", uk_gallon}, {"bbl", barrel, "bbls"}, {"ft3", foot3},
+      {"in3", inch * inch * inch}},
     {{"gal gals", "galUS or galUK"}}},
   {"a volume per turn", {{"m3/rev", 1.0L}, {"L/rev", litre}, {"galUS/rev", gallon}, {"galUK/rev", uk_gallon}},
     {{"gal/rev", "galUS/rev or galUK/rev"}}},
@@ -116,12 +148,16 @@ std::vector<UnitFamily> last_families()
   {"a frequency", {{"1/s", 1.0L}, {"Hz", 1.0L}, {"1/min", 1.0L / minute, "spm"}}},
   {"a power", {{"W", 1.0L}, {"kW", 1e3L}, {"MW", 1e6L}, {"hp", 550.0L * pound_foot}}},
   {"a mass per length", {{"kg/m", 1.0L}, {"lbm/ft", pound_per_foot, "lb/ft lbs/ft ppf"}}},
-  {"a force per length", {{"N/m", 1.0L}, {"kN/m", 1e3L}, {"MN/m", 1e6L}, {"lbf/ft", pound_force / foot}, {"klbf/ft", 1e3L * pound_force / foot}, {"lbf/in", pound_force / inch}}},
-  {"a bending stiffness", {{"N.m2", 1.0L}, {"kN.m2", 1e3L}, {"lbf.ft2", pound_foot * foot}, {"lbf.in2", pound_force * inch * inch}}},
+  {"a force per length", {{"N/m", 1.0L}, {"kN/m", 1e3L}, {"MN/m", 1e6L}, {"lbf/ft", pound_force / foot},
+      {"klbf/ft", 1e3L * pound_force / foot}, {"lbf/in", pound_force / inch}}},
+  {"a bending stiffness", {{"N.m2", 1.0L}, {"kN.m2", 1e3L}, {"lbf.ft2", pound_foot * foot},
+      {"lbf.in2", pound_force * inch * inch}}},
   {"a moment of inertia", {{"kg.m2", 1.0L}, {"lbm.ft2", pound * foot * foot}}},
   {"a moment of inertia per length", {{"kg.m2/m", 1.0L}, {"lbm.ft2/ft", pound * foot}}},
-  {"a torsional stiffness", {{"N.m/rad", 1.0L}, {"kN.m/rad", 1e3L}, {"ft.lbf/rad", pound_foot}, {"ft.lbf/deg", pound_foot / deg}}},
-  {"a torsional damping", {{"N.m.s/rad", 1.0L}, {"N.m/rpm", 1.0L / rev_per_minute}, {"ft.lbf.s/rad", pound_foot}, {"ft.lbf/rpm", pound_foot / rev_per_minute}}},
+  {"a torsional stiffness", {{"N.m/rad", 1.0L}, {"kN.m/rad", 1e3L}, {"ft.lbf/rad", pound_foot},
+      {"ft.lbf/deg", pound_foot / deg}}},
+  {"a torsional damping", {{"N.m.s/rad", 1.0L}, {"N.m/rpm", 1.0L / rev_per_minute}, {"ft.lbf.s/rad", pound_foot},
+      {"ft.lbf/rpm", pound_foot / rev_per_minute}}},
   {"a torsional damping per length", {{"N.m.s/rad/m", 1.0L}, {"ft.lbf.s/rad/ft", pound_force}}},
   {"a damping", {{"N.s/m", 1.0L}, {"kN.s/m", 1e3L}, {"lbf.s/ft", pound_force / foot}}},
   {"a damping per length", {{"N.s/m/m", 1.0L}, {"N.s/m2", 1.0L}, {"lbf.s/ft2", pound_force / (foot * foot)}}},
@@ -134,19 +170,22 @@ std::vector<UnitFamily> last_families()
 std::vector<UnitFamily> all_families()
 {
   std::vector<UnitFamily> families = first_families();
-  for (const auto& more : {further_families(), last_families()}) families.insert(families.end(), more.begin(), more.end());
+  for (const auto& more : {families_of_fluids(), further_families(), last_families()})
+    families.insert(families.end(), more.begin(), more.end());
   return families;
 }
 
 void replace_all(std::string& text, const std::string& what, const std::string& by)
 {
-  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size())) text.replace(at, what.size(), by);
+  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size()))
+    text.replace(at, what.size(), by);
 }
 
 /// Whether a word stands in a list of words between blanks.
 bool holds(const char* words, const std::string& word)
 {
-  return !word.empty() && word.find(' ') == std::string::npos && (" " + std::string(words) + " ").find(" " + word + " ") != std::string::npos;
+  return !word.empty() && word.find(' ') == std::string::npos &&
+         (" " + std::string(words) + " ").find(" " + word + " ") != std::string::npos;
 }
 
 bool has_symbol(const UnitFamily& family, const std::string& plain)
@@ -184,7 +223,8 @@ std::string plain_unit(const std::string& spelling)
   for (std::size_t at = text.find('^'); at != std::string::npos; at = text.find('^', at + 1))
   {
     // an exponent of two figures or a fraction is no habit of writing
-    const bool one_figure = at + 1 < text.size() && std::isdigit(static_cast<unsigned char>(text[at + 1])) && (at + 2 == text.size() || text[at + 2] == '/');
+    const bool one_figure = at + 1 < text.size() && std::isdigit(static_cast<unsigned char>(text[at + 1])) &&
+                            (at + 2 == text.size() || text[at + 2] == '/');
     if (one_figure) text.erase(at, 1);
   }
   return text;
@@ -226,8 +266,11 @@ const UnitFamily* family_of(const std::string& spelling)
 {
   const std::string plain = plain_unit(spelling);
   const std::vector<UnitFamily>& families = unit_families();
-  auto found = std::find_if(families.begin(), families.end(), [&](const UnitFamily& family) { return has_symbol(family, plain); });
-  if (found == families.end()) found = std::find_if(families.begin(), families.end(), [&](const UnitFamily& family) { return find_unit(family, plain).any(); });
+  auto found =
+      std::find_if(families.begin(), families.end(), [&](const UnitFamily& family) { return has_symbol(family, plain); });
+  if (found == families.end())
+    found =
+        std::find_if(families.begin(), families.end(), [&](const UnitFamily& family) { return find_unit(family, plain).any(); });
   return found == families.end() ? nullptr : &*found;
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What follows an accepted step; of the mud, what goes before one.
 #include "drill_rig_sim/hydraulics/mud_motor.h"
 #include "drill_rig_sim/math/rotation.h"
@@ -32,7 +33,9 @@ bool split_rates(const Stage& stage, const Workspace& work, State& state) noexce
 {
   if (!work.history || !work.columns.moved) return false;
   each_between(stage.guided_nodes, static_cast<int>(work.nodes.size()),
-               [&](int first, int last) { work.history->split_rates(work, {first, last}, state); });
+               [&](int first, int last) {
+                 work.history->split_rates(work, {first, last}, state);
+               });
   return true;
 }
 }  // namespace
@@ -40,17 +43,18 @@ bool split_rates(const Stage& stage, const Workspace& work, State& state) noexce
 void commit(const Stage& stage, const Workspace& work, State& state) noexcept
 {
   const bool rates_are_there = split_rates(stage, work, state);
-  each_outside(stage.guided_nodes, static_cast<int>(work.nodes.size()), [&](int k)
-  {
-    const std::size_t i = static_cast<std::size_t>(k);
-    const NodeMotion& motion = work.nodes[i];
-    NodeState& node = state.nodes[i];
-    if (!rates_are_there) node.rate = split(motion, motion.rate);
-    node.position = motion.position;
-    node.spin_angle += motion.spin;
-    node.orientation = motion.orientation.normalized();
-    node.segment = motion.closest.segment;
-  });
+  each_outside(stage.guided_nodes, static_cast<int>(work.nodes.size()),
+               [&](int k)
+               {
+                 const std::size_t i = static_cast<std::size_t>(k);
+                 const NodeMotion& motion = work.nodes[i];
+                 NodeState& node = state.nodes[i];
+                 if (!rates_are_there) node.rate = split(motion, motion.rate);
+                 node.position = motion.position;
+                 node.spin_angle += motion.spin;
+                 node.orientation = motion.orientation.normalized();
+                 node.segment = motion.closest.segment;
+               });
   commit_guided(stage, work, state);
   each_outside(stage.guided_elements, static_cast<int>(work.spans.size()),
                [&](int e)

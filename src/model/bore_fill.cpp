@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/model/bore_fill.h"
 
 #include <algorithm>
@@ -15,7 +16,8 @@ struct Below
   double volume = 0.0;    ///< inside, from the rotary table down to it [m3]
 };
 
-/// Down inside the string from the rotary table until `way` of a measure is behind, of which element e has so much: of(e). At most down to the bit.
+/// Down inside the string from the rotary table until `way` of a measure is behind, of which element e has so much: of(e). At
+/// most down to the bit.
 template <class Measure>
 Below walk_down(const Model& model, const State& state, double way, const Measure& of) noexcept
 {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/model/energy.h"
 
 #include "drill_rig_sim/model/evaluate.h"
@@ -22,7 +23,8 @@ StoredEnergy stored_energy(const Model& model, const State& start, const Stage& 
   return stored_at({model, start, stage, work});
 }
 
-void sample_energy(const Model& model, const State& start, const Stage& stage, const double* u, Workspace& work, EnergySample& out)
+void sample_energy(const Model& model, const State& start, const Stage& stage, const double* u, Workspace& work,
+                   EnergySample& out)
 {
   const std::size_t size = 6 * work.nodes.size();
   for (std::vector<double>& force : out.force) force.assign(size, 0.0);

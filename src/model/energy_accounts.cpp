@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/model/energy_accounts.h"
 
 #include <algorithm>
@@ -12,7 +13,8 @@ double EnergyAccounts::stored() const noexcept
 
 double EnergyAccounts::dissipated() const noexcept
 {
-  return wall_friction + wall_damping + bottom_damping + squeeze_film + mud + structural + block + gearbox + motor_slip + stuck_point_released + ledge + added_mass;
+  return wall_friction + wall_damping + bottom_damping + squeeze_film + mud + structural + block + gearbox + motor_slip +
+         stuck_point_released + ledge + added_mass;
 }
 
 double EnergyAccounts::numerical() const noexcept
@@ -29,14 +31,16 @@ double EnergyAccounts::input_magnitudes() const noexcept
 double EnergyAccounts::loss_magnitudes() const noexcept
 {
   double sum = std::abs(rock_thrust) + std::abs(rock_torque);
-  for (const double loss : {wall_friction, wall_damping, bottom_damping, squeeze_film, mud, structural, block, gearbox, motor_slip, stuck_point_released, ledge, added_mass})
+  for (const double loss : {wall_friction, wall_damping, bottom_damping, squeeze_film, mud, structural, block, gearbox,
+                            motor_slip, stuck_point_released, ledge, added_mass})
     sum += std::abs(loss);
   return sum;
 }
 
 double EnergyAccounts::numerical_magnitudes() const noexcept
 {
-  return std::abs(of_inertia) + std::abs(of_beams) + std::abs(of_contact) + std::abs(of_line) + std::abs(of_residual) + std::abs(of_rebasing);
+  return std::abs(of_inertia) + std::abs(of_beams) + std::abs(of_contact) + std::abs(of_line) + std::abs(of_residual) +
+         std::abs(of_rebasing);
 }
 
 double EnergyAccounts::residual() const noexcept

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/model/evaluate.h"
 
 #include <algorithm>
@@ -122,18 +123,18 @@ Kernel kernel_of(const Model& model) noexcept
 }  // namespace
 
 Workspace::Workspace(const Model& model)
-  : nodes(model.mesh().nodes.size()),
-    spans(model.mesh().elements.size()),
-    guided(nodes.size()),
-    motion_known(nodes.size(), 1),
-    rows_open(nodes.size(), 1),
-    columns(model),
-    motion(motion_kernel(kernel_of(model))),
-    string(string_kernel(kernel_of(model))),
-    place(place_kernel(kernel_of(model))),
-    wall(wall_kernel(kernel_of(model))),
-    history(history_kernel(kernel_of(model))),
-    unused(6 * nodes.size(), 0.0)
+    : nodes(model.mesh().nodes.size()),
+      spans(model.mesh().elements.size()),
+      guided(nodes.size()),
+      motion_known(nodes.size(), 1),
+      rows_open(nodes.size(), 1),
+      columns(model),
+      motion(motion_kernel(kernel_of(model))),
+      string(string_kernel(kernel_of(model))),
+      place(place_kernel(kernel_of(model))),
+      wall(wall_kernel(kernel_of(model))),
+      history(history_kernel(kernel_of(model))),
+      unused(6 * nodes.size(), 0.0)
 {
   result.bristle.assign(nodes.size(), Vector3d::Zero());
   result.span_bristle.assign(spans.size(), Vector3d::Zero());

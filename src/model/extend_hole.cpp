@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/model/extend_hole.h"
 
 #include "drill_rig_sim/math/rotation.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/model/guides.h"
 
 #include <algorithm>
@@ -83,28 +84,32 @@ void find_run(const Model& model, const State& state, Stage& stage, Runs::Run ru
 
 void reduce(const Stage& stage, double* b) noexcept
 {
-  each_guided(stage, [&](const GuidedKernel& by, Runs::Run run) { by.reduce(stage, run, b); }, [&](int i)
-  {
-    const Vector3d tangent = stage.guides.tangent[i];
-    double* at = b + 6 * i;
-    const double along = tangent.dot(Eigen::Map<const Vector3d>(at)), about = tangent.dot(Eigen::Map<const Vector3d>(at + 3));
-    at[0] = along;
-    at[1] = about;
-    at[2] = at[3] = at[4] = at[5] = 0.0;
-  });
+  each_guided(
+      stage, [&](const GuidedKernel& by, Runs::Run run) { by.reduce(stage, run, b); },
+      [&](int i)
+      {
+        const Vector3d tangent = stage.guides.tangent[i];
+        double* at = b + 6 * i;
+        const double along = tangent.dot(Eigen::Map<const Vector3d>(at)), about = tangent.dot(Eigen::Map<const Vector3d>(at + 3));
+        at[0] = along;
+        at[1] = about;
+        at[2] = at[3] = at[4] = at[5] = 0.0;
+      });
 }
 
 void expand(const Stage& stage, double* b) noexcept
 {
-  each_guided(stage, [&](const GuidedKernel& by, Runs::Run run) { by.expand(stage, run, b); }, [&](int i)
-  {
-    const Vector3d tangent = stage.guides.tangent[i];
-    double* at = b + 6 * i;
-    const double along = at[0], about = at[1];
-    Eigen::Map<Vector3d> place{at};
-    place = along * tangent;
-    Eigen::Map<Vector3d>(at + 3) = along * stage.guides.turn[i] + about * tangent;
-  });
+  each_guided(
+      stage, [&](const GuidedKernel& by, Runs::Run run) { by.expand(stage, run, b); },
+      [&](int i)
+      {
+        const Vector3d tangent = stage.guides.tangent[i];
+        double* at = b + 6 * i;
+        const double along = at[0], about = at[1];
+        Eigen::Map<Vector3d> place{at};
+        place = along * tangent;
+        Eigen::Map<Vector3d>(at + 3) = along * stage.guides.turn[i] + about * tangent;
+      });
 }
 
 /// The load turned by how far friction `around` the pipe [N] makes it climb: the wall's normal force N and F balance P on the
@@ -296,8 +301,9 @@ void expand_motions(const Stage& stage, Workspace& work) noexcept
     for (std::size_t i = 0; i < work.nodes.size(); ++i) expand_one(i);
     return;
   }
-  each_clear_run(stage.inner_nodes, [&](int i) { return work.motion_known[static_cast<std::size_t>(i)] != 0; },
-                 [&](Runs::Run run) { stage.guided_kernel->expand_motions(stage, work, run); });
+  each_clear_run(
+      stage.inner_nodes, [&](int i) { return work.motion_known[static_cast<std::size_t>(i)] != 0; },
+      [&](Runs::Run run) { stage.guided_kernel->expand_motions(stage, work, run); });
   each_outside(stage.inner_nodes, static_cast<int>(work.nodes.size()), [&](int i) { expand_one(static_cast<std::size_t>(i)); });
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/model/interpolate.h"
 
 #include <cmath>
@@ -38,8 +39,8 @@ struct SineTerms
 };
 constexpr SineTerms sine_terms;
 
-/// sin(share angle) / sin(angle) from less = cos(angle) - 1, down to -0.15, to 1e-13 (Eberly, J. Graphics, GPU, and Game Tools 15 (2011), 161-176):
-/// a fraction of what the sines cost.
+/// sin(share angle) / sin(angle) from less = cos(angle) - 1, down to -0.15, to 1e-13 (Eberly, J. Graphics, GPU, and Game Tools 15
+/// (2011), 161-176): a fraction of what the sines cost.
 double share_of_sine(double share, double less) noexcept
 {
   double sum = 1.0;

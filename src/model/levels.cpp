@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/model/levels.h"
 
 #include <cmath>
@@ -18,7 +19,14 @@ double stretch_of(const Model& model, const State& state, std::size_t e) noexcep
   const MeshElement& element = model.mesh().elements[e];
   const NodeState &lower = state.nodes[e], &upper = state.nodes[e + 1];
   if (lower.guided && upper.guided) return guided_length(state, e) / element.section.length - 1.0;
-  BeamPose pose{upper.position, lower.position, x_axis(upper.orientation), x_axis(lower.orientation), 0.0, upper.orientation, lower.orientation, 0.0};
+  BeamPose pose{upper.position,
+                lower.position,
+                x_axis(upper.orientation),
+                x_axis(lower.orientation),
+                0.0,
+                upper.orientation,
+                lower.orientation,
+                0.0};
   if (element.bend != 0.0) pose.upper_orientation = upper.orientation * element.upper_end;
   if (model.mesh().is_shaft(static_cast<int>(e))) pose.upper_orientation = leaning(upper.orientation, state.lean);
   pose.upper_normal = x_axis(pose.upper_orientation);
@@ -53,7 +61,8 @@ void make_free(const MeshNode& mesh, const State& state, double load, NodeState&
   const Side side = side_of(state, node);
   const double clearance = side.closest.radius - mesh.contact_radius;
   if (load > 0.0 && clearance > 0.0 && side.closest.md > 0.0 && mesh.contact_radius >= mesh.bearing_radius)
-    node.position = side.closest.centre + (clearance + std::pow(load / mesh.contact.stiffness, 1.0 / mesh.contact.exponent)) * side.outward;
+    node.position =
+        side.closest.centre + (clearance + std::pow(load / mesh.contact.stiffness, 1.0 / mesh.contact.exponent)) * side.outward;
   node.bristle = node.bristle.x() * side.closest.tangent + node.bristle.y() * side.around;
   node.guided = false;
 }
@@ -91,8 +100,10 @@ bool change_guided(const Model& model, const std::vector<unsigned char>& guided,
   {
     if (!changes(i)) continue;
     const Vector3d before = state.nodes[i].position;
-    if (guided[i]) make_guided(state, i);
-    else make_free(model.mesh().nodes[i], state, forces.contact[i], state.nodes[i]);
+    if (guided[i])
+      make_guided(state, i);
+    else
+      make_free(model.mesh().nodes[i], state, forces.contact[i], state.nodes[i]);
     for (HeldNode* held : {&state.stuck_point, &state.slips})
       if (static_cast<int>(i) == held->node) held->position += state.nodes[i].position - before;
   }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/model/model.h"
 
 #include <algorithm>
@@ -29,11 +30,20 @@ double immersed_share(double z_lower, double z_upper) noexcept
 }
 
 Model::Model(const Scene& scene, Mesh mesh)
-  : scene_(scene), mesh_(std::move(mesh)), beam_(find_beam(scene.numerics.element)), kernel_(resolved(scene.numerics.kernel)), formation_(scene.formation), ring_(rings_of(scene)), pilot_(scene.well), friction_(scene.contact, scene.well.sections)
+    : scene_(scene),
+      mesh_(std::move(mesh)),
+      beam_(find_beam(scene.numerics.element)),
+      kernel_(resolved(scene.numerics.kernel)),
+      formation_(scene.formation),
+      ring_(rings_of(scene)),
+      pilot_(scene.well),
+      friction_(scene.contact, scene.well.sections)
 {
-  for (const MeshNode& node : mesh_.nodes) contact_.push_back(wall_law(scene.contact, node.contact, node.mass, node.friction_radius));
+  for (const MeshNode& node : mesh_.nodes)
+    contact_.push_back(wall_law(scene.contact, node.contact, node.mass, node.friction_radius));
   for (const MeshElement& element : mesh_.elements)
-    span_contact_.push_back(wall_law(scene.contact, element.contact, element.linear_mass * element.section.length, element.friction_radius));
+    span_contact_.push_back(
+        wall_law(scene.contact, element.contact, element.linear_mass * element.section.length, element.friction_radius));
   for (const PartSpec& part : scene_.string)
   {
     if (part.motor) motor_ = &*part.motor;
@@ -49,7 +59,8 @@ double Model::element_weight(int e, double z_lower, double z_upper, double bore_
 {
   const MeshElement& element = mesh_.elements[static_cast<std::size_t>(e)];
   const double immersed = immersed_share(z_lower, z_upper);
-  const double full = std::clamp((bore_top - mesh_.nodes[static_cast<std::size_t>(e)].from_bit) / element.section.length, 0.0, 1.0);
+  const double full =
+      std::clamp((bore_top - mesh_.nodes[static_cast<std::size_t>(e)].from_bit) / element.section.length, 0.0, 1.0);
   const double displaced = element.displaced * immersed + element.holds * std::max(0.0, immersed - full);
   return standard_gravity * (element.linear_mass - scene_.mud.density * displaced) * element.section.length;
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/model/places.h"
 
 #include <algorithm>
@@ -51,33 +52,36 @@ void search(const Wellbore& well, const Search& who, Workspace& work, Find&& fin
   PlaceTask task = who.task;
   const auto each_run = [&](const auto& batch)
   {
-    each_between(who.guided, who.count, [&](int first, int last)
-    {
-      task.first = first;
-      task.last = last;
-      batch(task);
-    });
+    each_between(who.guided, who.count,
+                 [&](int first, int last)
+                 {
+                   task.first = first;
+                   task.last = last;
+                   batch(task);
+                 });
   };
   each_run(work.place->look);
-  each_outside(who.guided, who.count, [&](int k)
-  {
-    const int hint = hint_of(k);
-    columns.beside[k] = 0;
-    if (columns.places[k] == Place::clear && who.hints[k] == hint) return;
-    columns.places[k] = Place::search;
-    who.hints[k] = hint;
-    const HoleSegment* segment = who.singly[k] ? nullptr : well.smooth_segment(hint, point_of(k));
-    if (!segment) return;
-    who.hole.hold(static_cast<std::size_t>(k), segment);
-    columns.beside[k] = 1;
-  });
+  each_outside(who.guided, who.count,
+               [&](int k)
+               {
+                 const int hint = hint_of(k);
+                 columns.beside[k] = 0;
+                 if (columns.places[k] == Place::clear && who.hints[k] == hint) return;
+                 columns.places[k] = Place::search;
+                 who.hints[k] = hint;
+                 const HoleSegment* segment = who.singly[k] ? nullptr : well.smooth_segment(hint, point_of(k));
+                 if (!segment) return;
+                 who.hole.hold(static_cast<std::size_t>(k), segment);
+                 columns.beside[k] = 1;
+               });
   each_run(find);
-  each_outside(who.guided, who.count, [&](int k)
-  {
-    const bool in_mast = who.hints[k] == 0 && clear_in_mast(well, point_of(k), task.radius[k]);
-    if (columns.places[k] == Place::search && !in_mast) return one(k);
-    found(k, who.hints[k], columns.places[k] == Place::touches);
-  });
+  each_outside(who.guided, who.count,
+               [&](int k)
+               {
+                 const bool in_mast = who.hints[k] == 0 && clear_in_mast(well, point_of(k), task.radius[k]);
+                 if (columns.places[k] == Place::search && !in_mast) return one(k);
+                 found(k, who.hints[k], columns.places[k] == Place::touches);
+               });
 }
 
 /// find_closest() of all free nodes by the batch kernel. One by one: gauge and blades, whose film of mud wants to know the hole
@@ -89,16 +93,16 @@ void find_nodes(const Model& model, const State& start, const Stage& stage, Work
   HoleColumns& hole = columns.node_holes;
   const PlaceTask task{0,          0,    nodes.position,        nodes.contact_radius, nodes.searched,
                        nodes.room, hole, columns.beside.data(), columns.places.data()};
-  search(start.well, {stage.guided_nodes, model.nodes(), task, columns.single_nodes, columns.node_hints, hole}, work,
-         [&](const PlaceTask& all) { work.place->find_nodes(all, work.nodes.data()); },
-         [&](int i) { return start.nodes[i].segment; },
-         [&](int i) -> const Vector3d& { return work.nodes[i].position; },
-         [&](int i) { find_closest(model, start, i, work.nodes[i]); },
-         [&](int i, int segment, bool touches)
-         {
-           work.nodes[i].closest.segment = segment;
-           work.nodes[i].touches = touches;
-         });
+  search(
+      start.well, {stage.guided_nodes, model.nodes(), task, columns.single_nodes, columns.node_hints, hole}, work,
+      [&](const PlaceTask& all) { work.place->find_nodes(all, work.nodes.data()); },
+      [&](int i) { return start.nodes[i].segment; }, [&](int i) -> const Vector3d& { return work.nodes[i].position; },
+      [&](int i) { find_closest(model, start, i, work.nodes[i]); },
+      [&](int i, int segment, bool touches)
+      {
+        work.nodes[i].closest.segment = segment;
+        work.nodes[i].touches = touches;
+      });
 }
 
 /// find_span() of all free elements, in the same way; of those that are clear of the wall only that is known.
@@ -109,19 +113,26 @@ void find_spans(const Model& model, const State& start, const Stage& stage, Work
   each_between(stage.guided_elements, model.elements(),
                [&](int first, int last) { work.place->find_middles(first, last, columns.nodes, elements); });
   HoleColumns& hole = columns.element_holes;
-  const PlaceTask task{0,             0,    elements.middle,       elements.radius, elements.searched,
-                       elements.room, hole, columns.beside.data(), columns.places.data()};
-  search(start.well, {stage.guided_elements, model.elements(), task, columns.single_elements, columns.element_hints, hole}, work,
-         [&](const PlaceTask& all) { work.place->find_spans(all, work.spans.data()); },
-         [&](int e) { return start.spans[e].segment; },
-         [&](int e) { return elements.middle[e]; },
-         [&](int e) { find_span(model, start, stage, e, work); },
-         [&](int e, int segment, bool touches)
-         {
-           work.spans[e].closest.segment = segment;
-           work.spans[e].touches = touches;
-           if (touches) move_span(model, start, stage, e, work);
-         });
+  const PlaceTask task{0,
+                       0,
+                       elements.middle,
+                       elements.radius,
+                       elements.searched,
+                       elements.room,
+                       hole,
+                       columns.beside.data(),
+                       columns.places.data()};
+  search(
+      start.well, {stage.guided_elements, model.elements(), task, columns.single_elements, columns.element_hints, hole}, work,
+      [&](const PlaceTask& all) { work.place->find_spans(all, work.spans.data()); },
+      [&](int e) { return start.spans[e].segment; }, [&](int e) { return elements.middle[e]; },
+      [&](int e) { find_span(model, start, stage, e, work); },
+      [&](int e, int segment, bool touches)
+      {
+        work.spans[e].closest.segment = segment;
+        work.spans[e].touches = touches;
+        if (touches) move_span(model, start, stage, e, work);
+      });
 }
 
 /// What was found in another hole is void: it has been drilled on since.

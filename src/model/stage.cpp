@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/model/stage.h"
 
 #include <algorithm>
@@ -73,15 +74,15 @@ void take_start(const Model& model, const State& state, Stage& stage) noexcept
 }  // namespace
 
 Stage::Stage(const Model& model)
-  : rate(model.mesh().nodes.size(), Vector6d::Zero()),
-    acceleration(rate),
-    normal(rate.size(), -Vector3d::UnitZ()),
-    guides(rate.size()),
-    guided_kernel(drill_rig_sim::guided_kernel(model.kernel())),
-    guided_step_kernel(drill_rig_sim::guided_step_kernel(model.kernel())),
-    guided_nodes(rate.size()),
-    guided_elements(model.mesh().elements.size()),
-    inner_nodes(rate.size())
+    : rate(model.mesh().nodes.size(), Vector6d::Zero()),
+      acceleration(rate),
+      normal(rate.size(), -Vector3d::UnitZ()),
+      guides(rate.size()),
+      guided_kernel(drill_rig_sim::guided_kernel(model.kernel())),
+      guided_step_kernel(drill_rig_sim::guided_step_kernel(model.kernel())),
+      guided_nodes(rate.size()),
+      guided_elements(model.mesh().elements.size()),
+      inner_nodes(rate.size())
 {
   ColumnSizes::resize(*this, rate.size());
   prepare_guides(model, *this);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/model/wall_faults.h"
 
 #include <cmath>
@@ -35,18 +36,21 @@ void put_faults_on_wall(const Model& model, const FaultState& faults, const Stag
   if (!faults.at_wall()) return;
   // of those that batches have found clear nothing new is known, and of gauge and blades all is
   const auto is_new = [&](bool touches, bool singly) { return !work.place || touches || singly; };
-  each_outside(stage.guided_nodes, model.top(), [&](int k)
-  {
-    const std::size_t i = static_cast<std::size_t>(k);
-    NodeMotion& node = work.nodes[i];
-    if (is_new(node.touches, work.columns.single_nodes[i])) put(faults, model.mesh().nodes[i].contact_radius, node);
-  });
-  each_outside(stage.guided_elements, model.elements(), [&](int k)
-  {
-    const std::size_t e = static_cast<std::size_t>(k);
-    SpanMotion& span = work.spans[e];
-    if (is_new(span.touches, work.columns.single_elements[e])) put(faults, 0.5 * model.mesh().elements[e].outer_diameter, span);
-  });
+  each_outside(stage.guided_nodes, model.top(),
+               [&](int k)
+               {
+                 const std::size_t i = static_cast<std::size_t>(k);
+                 NodeMotion& node = work.nodes[i];
+                 if (is_new(node.touches, work.columns.single_nodes[i])) put(faults, model.mesh().nodes[i].contact_radius, node);
+               });
+  each_outside(stage.guided_elements, model.elements(),
+               [&](int k)
+               {
+                 const std::size_t e = static_cast<std::size_t>(k);
+                 SpanMotion& span = work.spans[e];
+                 if (is_new(span.touches, work.columns.single_elements[e]))
+                   put(faults, 0.5 * model.mesh().elements[e].outer_diameter, span);
+               });
 }
 
 void put_faults_on_guides(const State& state, Stage& stage) noexcept

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """An autodriller: keeps the bit on bottom by the feed of the block, gets off a stalled motor, and lets the weight drill off at the end.
 
 Loops of weight, differential pressure and torque each ask for a feed, the rate of penetration is one by itself, and the lowest wins. A law for

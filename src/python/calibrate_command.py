@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """What `drill calibrate` starts: fits parameters of a scene to a record or a table of weights, and says how sure they are and what a part of the data that
 the fit never saw says; or predicts another record or table with what an earlier fit found. The runner has checked the command line."""
 import argparse

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """How drill calibrate prints and draws what fitted parameters predict."""
 import numpy
 

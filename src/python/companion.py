@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """What the companion of a run says of it: a second model of the same rig under the same commands (numerics.companion), by the columns of
 drill run --errors or the topics companion/truth/* of a bag. How far the two are apart measures what the numerics make of the rig."""
 import numpy

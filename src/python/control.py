@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Runs a control law against a rig. A law is a plain class without ROS:
 
     commands = law.step(readings)    # every law.period of simulated time [s]; until law.done. `commands`: a drill_rig_sim.law.Commands

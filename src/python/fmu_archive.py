@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Makes an FMU of a folder's files, for `drill fmu`: python3 -m drill_rig_sim.fmu_archive FOLDER FILE. Exit status 0 done, 2 it cannot be written."""
 import os
 import sys

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "in_process_rig.h"
 
 #include <algorithm>
@@ -34,9 +35,16 @@ bool take(Simulator& simulator, const std::optional<Setpoint>& command) noexcept
 }
 
 template <class Values>
-Signals<Values> signals_of(const Values& signals, const Simulator& simulator, std::uint32_t epoch, const OperationStatus& operation)
+Signals<Values> signals_of(const Values& signals, const Simulator& simulator, std::uint32_t epoch,
+                           const OperationStatus& operation)
 {
-  return {signals, epoch, operation.number, operation.progress, operation.kind, simulator.statistics().accuracy, simulator.active_faults()};
+  return {signals,
+          epoch,
+          operation.number,
+          operation.progress,
+          operation.kind,
+          simulator.statistics().accuracy,
+          simulator.active_faults()};
 }
 
 Bit bit_of(const Truth& t)
@@ -104,7 +112,8 @@ void InProcessRig::command(const std::optional<WinchSetpoint>& winch, const std:
   require(*simulator_, top_drive);
   require(*simulator_, pump);
   require(*simulator_, steering);
-  const bool any = take(*simulator_, winch) | take(*simulator_, top_drive) | take(*simulator_, pump) | take(*simulator_, steering);
+  const bool any =
+      take(*simulator_, winch) | take(*simulator_, top_drive) | take(*simulator_, pump) | take(*simulator_, steering);
   if (any) playing_ = false;
 }
 
@@ -116,12 +125,15 @@ InProcessRig::Turn::Turn(const InProcessRig& rig) : busy_(rig.busy_)
 template <class AfterFrame>
 void InProcessRig::play(std::size_t frames, const std::function<void()>& may_go_on, const AfterFrame& after_frame)
 {
-  if (frames > most_frames) throw std::runtime_error("frames is " + std::to_string(frames) + "; allowed is 0 to " + std::to_string(most_frames));
+  if (frames > most_frames)
+    throw std::runtime_error("frames is " + std::to_string(frames) + "; allowed is 0 to " + std::to_string(most_frames));
   require_good();
   for (std::size_t k = 1; k <= frames; ++k)
   {
     failed_ = play_frame(*simulator_, playing_ ? &player_ : nullptr, 1.0 / rate_) == FrameStatus::failed;
-    if (failed_) throw FrameFailed(std::string("a frame failed: ") + simulator_->failure() + " (" + std::to_string(k) + " of " + std::to_string(frames) + " frames)");
+    if (failed_)
+      throw FrameFailed(std::string("a frame failed: ") + simulator_->failure() + " (" + std::to_string(k) + " of " +
+                        std::to_string(frames) + " frames)");
     if (finer_) finer_->add(*simulator_, 1.0 / rate_);
     after_frame(k);
     if (k % frames_between_looks == 0) may_go_on();
@@ -196,7 +208,8 @@ double InProcessRig::drum_height() const
 std::vector<double> InProcessRig::drum_heights(const std::vector<double>& heights, const std::vector<double>& hook_loads) const
 {
   if (hook_loads.size() != heights.size()) throw std::runtime_error("heights and hook loads must have the same length");
-  return drill_rig_sim::drum_heights(scene_.rig.hoisting, scene_.instruments.hook_load.place == HookLoadPlace::dead_line, heights, hook_loads);
+  return drill_rig_sim::drum_heights(scene_.rig.hoisting, scene_.instruments.hook_load.place == HookLoadPlace::dead_line, heights,
+                                     hook_loads);
 }
 
 double InProcessRig::wave_impedance() const noexcept
@@ -215,7 +228,8 @@ Frame InProcessRig::frame() const
 void InProcessRig::record(std::size_t frames, std::size_t every, const std::function<void()>& may_go_on, Recording& out)
 {
   const Turn turn(*this);
-  if (every < 1 || every > most_frames) throw std::runtime_error("every is " + std::to_string(every) + "; allowed is 1 to " + std::to_string(most_frames));
+  if (every < 1 || every > most_frames)
+    throw std::runtime_error("every is " + std::to_string(every) + "; allowed is 1 to " + std::to_string(most_frames));
   play(frames, may_go_on,
        [&](std::size_t k)
        {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SRC_PYTHON_IN_PROCESS_RIG_H
 #define DRILL_RIG_SIM_SRC_PYTHON_IN_PROCESS_RIG_H
 
@@ -19,11 +20,12 @@
 #include "drill_rig_sim/sim/finer_pair.h"
 #include "drill_rig_sim/sim/simulator.h"
 
-/// A rig that the caller steps, without ROS; by the same steps as the node in lockstep. What is refused is std::runtime_error with one line, and nothing has changed.
+/// A rig that the caller steps, without ROS; by the same steps as the node in lockstep. What is refused is std::runtime_error
+/// with one line, and nothing has changed.
 namespace drill_rig_sim
 {
-/// Calls v for the fields of signals by the names of their message: set points are flat there, and the crew's task is a word, current_operation().
-/// What a rig cannot see of its steering is for the truth.
+/// Calls v for the fields of signals by the names of their message: set points are flat there, and the crew's task is a word,
+/// current_operation(). What a rig cannot see of its steering is for the truth.
 template <class V, bool with_steering>
 struct ByMessage
 {
@@ -44,8 +46,8 @@ struct ByMessage
   }
 };
 
-/// The signals by the names of RigState.msg or RigTruth.msg; those that are constant in a process (header, run_state) or stamps are not there, nor refusals,
-/// which are exceptions.
+/// The signals by the names of RigState.msg or RigTruth.msg; those that are constant in a process (header, run_state) or stamps
+/// are not there, nor refusals, which are exceptions.
 template <class Values>
 struct Signals
 {
@@ -140,19 +142,21 @@ struct SavedRig
 class InProcessRig
 {
 public:
-  /// The rig of a scene's file at its start. `rate`: frames a second. `play`: the scene's program and operations give the set points until a command does.
+  /// The rig of a scene's file at its start. `rate`: frames a second. `play`: the scene's program and operations give the set
+  /// points until a command does.
   InProcessRig(const std::string& scene_file, double rate, std::uint64_t seed, bool play);
 
   /// Set points from the next frame on; all of them are taken, or none.
-  void command(const std::optional<WinchSetpoint>& winch, const std::optional<TopDriveSetpoint>& top_drive, const std::optional<PumpSetpoint>& pump,
-               const std::optional<SteeringSetpoint>& steering);
+  void command(const std::optional<WinchSetpoint>& winch, const std::optional<TopDriveSetpoint>& top_drive,
+               const std::optional<PumpSetpoint>& pump, const std::optional<SteeringSetpoint>& steering);
   /// Computes so many frames. `may_go_on` is asked now and then, and may throw; what has been computed by then stays.
   void advance(std::size_t frames, const std::function<void()>& may_go_on);
   /// The state after the last frame.
   Frame frame() const;
   /// The same; adds the state after every `every`-th of them, and after the last, to `out`.
   void record(std::size_t frames, std::size_t every, const std::function<void()>& may_go_on, Recording& out);
-  /// Two finer models go along from now on (sim/finer_pair.h), before the first frame; until another scene, well or start. Meanwhile nothing is restored.
+  /// Two finer models go along from now on (sim/finer_pair.h), before the first frame; until another scene, well or start.
+  /// Meanwhile nothing is restored.
   void verify(double times);
   /// What they have found so far, in a dictionary of Python's or wherever `show` puts it.
   template <class Show>
@@ -180,8 +184,8 @@ public:
   std::string accuracy_code() const;
   /// The faults under way, by words_of().
   std::vector<std::string> active_faults() const;
-  /// By output the error over the last 3 s that the companion measures, as a share of the output's range [-] (accuracy/measured_error.h);
-  /// empty while nothing is measured.
+  /// By output the error over the last 3 s that the companion measures, as a share of the output's range [-]
+  /// (accuracy/measured_error.h); empty while nothing is measured.
   std::map<std::string, double> measured_errors() const;
   /// Why the error is not measured, one line; empty while it is, and before the first frame that is compared.
   std::string not_measured() const;
@@ -189,8 +193,9 @@ public:
   bool crew_connects() const noexcept { return scene_.connections == Connections::automatic; }
   /// Where the block would hang on lines without load [m]: what the drum has done, without what the load stretches.
   double drum_height() const;
-  /// The same by rows of what gauges like the scene's showed: heights of the block without noise [m] and hook loads [N]. The sheaves' friction
-  /// is taken out of a dead line's reading (rig/recorded_drum.h). Throws std::runtime_error unless both are as long.
+  /// The same by rows of what gauges like the scene's showed: heights of the block without noise [m] and hook loads [N]. The
+  /// sheaves' friction is taken out of a dead line's reading (rig/recorded_drum.h). Throws std::runtime_error unless both are as
+  /// long.
   std::vector<double> drum_heights(const std::vector<double>& heights, const std::vector<double>& hook_loads) const;
   /// Force over speed of a wave along the pipe at the string's top [N s/m].
   double wave_impedance() const noexcept;
@@ -202,7 +207,8 @@ public:
   double max_rotation() const noexcept { return scene_.rig.top_drive.max_speed; }
   /// Largest flow of the pump [m3/s].
   double max_flow() const noexcept { return scene_.rig.mud_pump.max_flow; }
-  /// Back to the start of a scene's file, or of the present scene where `file` is empty; the bit at `bit_depth` [m MD], 0: where the scene has it.
+  /// Back to the start of a scene's file, or of the present scene where `file` is empty; the bit at `bit_depth` [m MD], 0: where
+  /// the scene has it.
   void reset(const std::string& file, double bit_depth);
   void load_survey(const NewWell& well);
   void tare();

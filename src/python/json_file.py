@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """JSON files of the runner's commands. JSON has no infinite number and no NaN: they become null."""
 import json
 import math

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """What control laws are made of (drill_rig_sim.control runs them): no ROS."""
 import math
 

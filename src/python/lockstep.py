@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """A rig that is stepped: the same for the node in lockstep (drill_rig_sim.rig) and for a simulator in this process (drill_rig_sim.sim). No ROS."""
 import collections
 import math

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Bags of version 0.2, whose truth/rig_state was a RigState, for this version (migrate_bag)."""
 import math
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """What `drill plot` starts: logs and pictures of a run as PNG and SVG, and one page that holds them. The runner has checked the command line."""
 import argparse
 import base64

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Logs of a run in the trade's layout: tracks side by side, time or depth downwards, each curve with its scale on top of its track."""
 import numpy
 from drill_rig_sim.companion import differences

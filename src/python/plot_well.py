@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The well of a run from above, in section, and its toolfaces on a dial; the forces along a string as `drill static --csv` gives them."""
 import math
 

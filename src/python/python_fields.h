@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SRC_PYTHON_PYTHON_FIELDS_H
 #define DRILL_RIG_SIM_SRC_PYTHON_PYTHON_FIELDS_H
 
@@ -32,7 +33,8 @@ struct FieldBinder
   void operator()(const char* name, F& field)
   {
     const std::ptrdiff_t offset = offset_in(sample, &field);
-    const auto at = [offset](const T& self) -> const F& { return *reinterpret_cast<const F*>(reinterpret_cast<const char*>(&self) + offset); };
+    const auto at = [offset](const T& self) -> const F&
+    { return *reinterpret_cast<const F*>(reinterpret_cast<const char*>(&self) + offset); };
     if constexpr (std::is_enum_v<F>)
       type.def_property_readonly(name, [at](const T& self) { return static_cast<int>(at(self)); });
     else
@@ -69,7 +71,8 @@ void bind_fields(pybind11::class_<T>& type)
   sample.visit(binder);
 }
 
-/// The structured type of an array whose rows are values of T, copied as they lie in memory. A field in a struct is called as its attribute is reached: "winch.brake".
+/// The structured type of an array whose rows are values of T, copied as they lie in memory. A field in a struct is called as its
+/// attribute is reached: "winch.brake".
 template <class T>
 pybind11::dtype dtype_of()
 {

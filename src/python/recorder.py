@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """A run in the making as the time series that `drill run --csv` writes, by the truth on a rig's topics."""
 import threading
 

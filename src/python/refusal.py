@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Why an input is refused: one line that any terminal and log can show, whatever the input holds."""
 LONGEST = 700  # characters; the end of a longer text is left out
 

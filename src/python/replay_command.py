@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """What `drill replay` starts: plays a record to a scene and says how far the simulated hook load, torque and pressure are off. The runner has checked the
 command line."""
 import argparse

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """A rig in lockstep (rig.launch clock:=lockstep), for tests of controllers in few lines:
 
     from drill_rig_sim.rig import Rig

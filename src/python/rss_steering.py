@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Follows a plan with a rotary steerable tool, which hears from the surface by downlink alone: the pump's flow, lowered and raised bit by bit. A law for
 drill_rig_sim.control; an autodriller inside keeps the weight, and feeds on as before while a downlink upsets the hook load.
 

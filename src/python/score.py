@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Judges a controller's run: `drill score` as a function. What each score is stands at the function that works it out; SI units but where a
 name says otherwise. Needs ROS for bags alone.
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """What `drill score` starts: the scores as a table, as JSON, and as a page of plots. The runner has checked the command line."""
 import argparse
 import math

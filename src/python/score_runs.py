@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Runs to be judged: time series of `drill run --csv`, and bags, as columns by the names that `drill run --csv` has. Needs ROS for bags alone."""
 import csv
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """A rig in this process, without ROS: what drill_rig_sim.rig is to a node, under the same names.
 
     from drill_rig_sim.sim import Simulator

@@ -1,29 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The module drill_rig_sim._sim: a simulator in a Python process, under what drill_rig_sim.sim makes of it.
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
 #include <array>
-#include <cmath>
 #include <cstring>
-#include <map>
 #include <optional>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "../scene/text_file.h"
-#include "../sim/build_identity.h"
-#include "drill_rig_sim/math/shown_units.h"
-#include "drill_rig_sim/math/unit_table.h"
-#include "drill_rig_sim/math/units.h"
-#include "drill_rig_sim/rig/hoisting.h"
-#include "drill_rig_sim/scene/read_scene.h"
-#include "drill_rig_sim/scene/survey_file.h"
-#include "drill_rig_sim/sim/profile.h"
 #include "in_process_rig.h"
 #include "python_fields.h"
+#include "sim_functions.h"
 
 namespace py = pybind11;
 
@@ -54,101 +44,14 @@ public:
     const py::gil_scoped_release others;
     rig.record(frames, every, look_at_signals, recording_);
   }
-  py::tuple arrays() const { return py::make_tuple(array_of(recording_.readings), array_of(recording_.truth), array_of(recording_.bit)); }
+  py::tuple arrays() const
+  {
+    return py::make_tuple(array_of(recording_.readings), array_of(recording_.truth), array_of(recording_.bit));
+  }
 
 private:
   Recording recording_;
 };
-
-/// Of the library, in hexadecimal digits.
-std::string build()
-{
-  constexpr char digits[] = "0123456789abcdef";
-  std::string text;
-  for (const unsigned char byte : build_identity()) text += {digits[byte / 16], digits[byte % 16]};
-  return text;
-}
-
-/// The units that numbers may have, by quantity and spelling: SI units in one of each.
-py::dict units()
-{
-  py::dict families;
-  for (const UnitFamily& family : unit_families())
-  {
-    py::dict names;
-    for (const UnitName& unit : family.units)
-    {
-      std::istringstream spellings(unit.name + std::string(" ") + unit.spellings);
-      for (std::string spelling; spellings >> spelling;) names[py::str(spelling)] = unit.factor();
-    }
-    const std::string quantity = family.quantity;
-    families[py::str(quantity.substr(quantity.find(' ') + 1))] = names;
-  }
-  return families;
-}
-
-/// SI units in one of a text that is a unit of a quantity, and why it is none: a number and "", or None and the problem.
-py::tuple find_unit_of(const std::string& quantity, const std::string& text)
-{
-  const UnitFamily& family = units_of_quantity(quantity);
-  const FoundUnit found = find_unit(family, text);
-  if (found.unit) return py::make_tuple(found.unit->factor(), "");
-  if (!found.choices.empty()) return py::make_tuple(py::none(), text + " is ambiguous; allowed: " + found.choices);
-  return py::make_tuple(py::none(), (text.empty() ? "(none)" : text) + " is not known for " + family.quantity + "; allowed: " + listed_units(family));
-}
-
-/// The units that the runner's commands show numbers in with --units oilfield: shown numbers in one SI unit.
-py::dict oilfield_units()
-{
-  py::dict names;
-  for (int k = 0; k < static_cast<int>(Dimension::count); ++k)
-  {
-    const Unit& unit = unit_of(static_cast<Dimension>(k), UnitSystem::oilfield);
-    names[unit.name] = unit.per_si;
-  }
-  return names;
-}
-
-/// What the scene's gauge of the hook load shows of a weight on the lines, without its errors [N].
-/// @param direction  of the block's last motion, 1 up, -1 down, 0: none, without the friction of rail and sheaves
-double shown(const Scene& scene, double weight, int direction)
-{
-  const SteadyHookLoad gauges = steady_hook_load(scene.rig.hoisting, weight, direction);
-  return scene.instruments.hook_load.place == HookLoadPlace::block ? gauges.at_block : gauges.at_dead_line;
-}
-
-/// What shown() is of the block alone, as in a simulated connection: the string is in the slips, and the block's rail does not rub [N].
-double empty_block(const std::string& scene_file, int direction)
-{
-  Scene scene = read_scene(scene_file);
-  scene.rig.hoisting.rail_friction = 0.0;
-  return shown(scene, standard_gravity * scene.rig.hoisting.block_mass, direction);
-}
-
-/// Loads of a scene's string as it hangs at its start, in SI units: static_report() of a motion as `drill static` names it.
-py::dict static_loads(const std::string& scene_file, const std::string& motion)
-{
-  const std::map<std::string, SlidingMotion> motions = {{"none", no_sliding}, {"up", sliding_up}, {"down", sliding_down}, {"rotate", sliding_around}};
-  const auto found = motions.find(motion);
-  if (found == motions.end()) throw std::runtime_error("motion: '" + motion + "' is not known, allowed: none, up, down or rotate");
-  StaticReport report;
-  Scene scene;
-  {
-    const py::gil_scoped_release others;
-    scene = read_scene(scene_file);
-    report = static_report(scene, found->second);
-  }
-  py::dict loads;
-  loads["hook_load"] = report.hook_load;
-  loads["hook_load_gauge"] = report.hook_load_gauge;
-  loads["hook_load_gauge_after_up"] = shown(scene, report.hook_load, 1);
-  loads["hook_load_gauge_after_down"] = shown(scene, report.hook_load, -1);
-  loads["hook_load_string"] = report.hook_load_string;
-  loads["torque"] = report.torque;
-  loads["wob"] = report.outcome.forces.wob;
-  loads["bit_side_force"] = report.bit_side_force;
-  return loads;
-}
 
 /// What the rig refuses is drill_rig_sim.lockstep.Refused in Python, with the same line.
 void translate(std::exception_ptr error)  // NOLINT(performance-unnecessary-value-param): pybind11's signature
@@ -193,12 +96,12 @@ void bind_setpoints(py::module_& module)
   bind_fields(winch);
 
   py::class_<TopDriveSetpoint> drive(module, "TopDrive");
-  drive.def(py::init(
-                [](int mode, double speed, double torque, double angle, double torque_limit, bool brake, double right, double left) {
-                  return TopDriveSetpoint{static_cast<TopDriveMode>(mode), speed, torque, angle, torque_limit, brake, right, left};
-                }),
-            py::arg("mode") = 0, py::arg("speed") = 0.0, py::arg("torque") = 0.0, py::arg("angle") = 0.0, py::arg("torque_limit") = 0.0,
-            py::arg("brake") = false, py::arg("amplitude_right") = 0.0, py::arg("amplitude_left") = 0.0);
+  drive.def(
+      py::init(
+          [](int mode, double speed, double torque, double angle, double torque_limit, bool brake, double right, double left)
+          { return TopDriveSetpoint{static_cast<TopDriveMode>(mode), speed, torque, angle, torque_limit, brake, right, left}; }),
+      py::arg("mode") = 0, py::arg("speed") = 0.0, py::arg("torque") = 0.0, py::arg("angle") = 0.0, py::arg("torque_limit") = 0.0,
+      py::arg("brake") = false, py::arg("amplitude_right") = 0.0, py::arg("amplitude_left") = 0.0);
   bind_fields(drive);
 
   py::class_<PumpSetpoint> pump(module, "MudPump");
@@ -206,8 +109,11 @@ void bind_setpoints(py::module_& module)
   bind_fields(pump);
 
   py::class_<SteeringSetpoint> steering(module, "Steering");
-  steering.def(py::init([](double toolface, double ratio) { return SteeringSetpoint{toolface, ratio}; }), py::arg("toolface") = 0.0,
-               py::arg("ratio") = 0.0);
+  steering.def(py::init(
+                   [](double toolface, double ratio) {
+                     return SteeringSetpoint{toolface, ratio};
+                   }),
+               py::arg("toolface") = 0.0, py::arg("ratio") = 0.0);
   bind_fields(steering);
 }
 
@@ -226,7 +132,8 @@ void bind_frames(py::module_& module)
   bind_signals<ShownFrame>(module, "Readings")
       .def_property_readonly("accuracy_code", [](const ShownFrame& s) { return code_of(s.accuracy.doubt); })
       .def_property_readonly("accuracy_reason", [](const ShownFrame& s) { return text_of(s.accuracy); });
-  bind_signals<TrueFrame>(module, "Truth").def_property_readonly("active_faults", [](const TrueFrame& s) { return words_of(s.faults); });
+  bind_signals<TrueFrame>(module, "Truth")
+      .def_property_readonly("active_faults", [](const TrueFrame& s) { return words_of(s.faults); });
   py::class_<Place> place(module, "Place");
   bind_fields(place);
   py::class_<Bit> bit(module, "Bit");
@@ -243,7 +150,8 @@ void bind_telemetry(py::module_& module)
 {
   py::class_<ToolfaceReading> toolface(module, "Toolface");
   bind_fields(toolface);
-  toolface.def_readonly("t", &ToolfaceReading::time).def_property_readonly("reference", [](const ToolfaceReading& r) { return r.magnetic ? 1 : 0; });  // as MwdToolface has it
+  toolface.def_readonly("t", &ToolfaceReading::time)
+      .def_property_readonly("reference", [](const ToolfaceReading& r) { return r.magnetic ? 1 : 0; });  // as MwdToolface has it
   py::class_<MwdReading> survey(module, "Survey");
   bind_fields(survey);
   survey.def_readonly("t", &MwdReading::time);
@@ -255,33 +163,19 @@ void bind_telemetry(py::module_& module)
   dynamics.def_readonly("t", &DynamicsReading::time);
 }
 
-/// Of a survey's file, as survey_format() says, by the rules of scenes: measured depths [m], inclinations and azimuths [rad], and where the first station lies,
-/// (east, north, up) from the rotary table [m], and remarks to be reported. Throws SceneError.
-py::tuple read_survey(const std::string& file, const std::string& columns, bool pass_over)
-{
-  const SurveyTable table = read_survey_file(file, survey_format(columns, pass_over));
-  std::vector<double> md, inclination, azimuth;
-  for (const SurveyStation& station : table.stations)
-  {
-    md.push_back(station.md);
-    inclination.push_back(station.inclination);
-    azimuth.push_back(station.azimuth);
-  }
-  const TieIn start = table.tie_in.value_or(TieIn());
-  return py::make_tuple(md, inclination, azimuth, py::make_tuple(start.east, start.north, -start.tvd), table.remarks);
-}
-
-/// A text file's content, of at most `longest` bytes, and a remark to be reported, else an empty one, as all text files are read here. Throws SceneError.
-py::tuple read_text(const std::string& file, std::size_t longest)
-{
-  const TextFile read = read_text_file(file, "a text file", longest);
-  return py::make_tuple(read.text, read.remark);
-}
-
 /// None for what is not a finite number.
-py::object shown(double value) { return std::isfinite(value) ? py::object(py::float_(value)) : py::none(); }
-py::object shown(bool value) { return py::bool_(value); }
-py::object shown(const char* text) { return py::str(text); }
+py::object shown(double value)
+{
+  return std::isfinite(value) ? py::object(py::float_(value)) : py::none();
+}
+py::object shown(bool value)
+{
+  return py::bool_(value);
+}
+py::object shown(const char* text)
+{
+  return py::str(text);
+}
 py::object shown(const std::vector<double>& values)
 {
   py::list list;
@@ -313,9 +207,9 @@ py::dict verified(const InProcessRig& rig)
   return out;
 }
 
-void load_survey(InProcessRig& rig, const std::string& file, const std::vector<double>& md, const std::vector<double>& inclination,
-                 const std::vector<double>& azimuth, const std::array<double, 3>& tie_in, double hole_depth, double bit_depth, const std::string& columns,
-                 bool pass_over)
+void load_survey(InProcessRig& rig, const std::string& file, const std::vector<double>& md,
+                 const std::vector<double>& inclination, const std::vector<double>& azimuth, const std::array<double, 3>& tie_in,
+                 double hole_depth, double bit_depth, const std::string& columns, bool pass_over)
 {
   NewWell well{file, md, inclination, azimuth, std::nullopt, hole_depth, bit_depth, survey_format(columns, pass_over)};
   if (tie_in != std::array<double, 3>{}) well.tie_in = TieIn{tie_in[0], tie_in[1], tie_in[2]};
@@ -326,14 +220,7 @@ void load_survey(InProcessRig& rig, const std::string& file, const std::vector<d
 PYBIND11_MODULE(_sim, module)
 {
   py::register_local_exception_translator(translate);  // not for other modules of pybind11, such as those of matplotlib 3.10
-  module.def("build", build);
-  module.def("static_loads", static_loads);
-  module.def("empty_block", empty_block);
-  module.def("units", units);
-  module.def("find_unit", find_unit_of);
-  module.def("oilfield_units", oilfield_units);
-  module.def("read_survey", read_survey);
-  module.def("read_text", read_text, py::arg("file"), py::arg("longest") = longest_text);
+  bind_functions(module);
   bind_setpoints(module);
   bind_frames(module);
   bind_telemetry(module);
@@ -349,7 +236,8 @@ PYBIND11_MODULE(_sim, module)
   py::class_<InProcessRig>(module, "Rig")
       .def(py::init<const std::string&, double, std::uint64_t, bool>(), no_gil())
       .def("command", &InProcessRig::command)
-      .def("advance", [](InProcessRig& rig, std::size_t frames) { rig.advance(frames, look_at_signals); }, no_gil())
+      .def(
+          "advance", [](InProcessRig& rig, std::size_t frames) { rig.advance(frames, look_at_signals); }, no_gil())
       .def("frame", &InProcessRig::frame)
       .def("verify", &InProcessRig::verify)
       .def("verified", &verified)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Follows a plan with a bent motor: slides, the bend turned to where the hole has to go, until the hole is ahead of the plan, then rotates until it is
 behind. A law for drill_rig_sim.control; an autodriller inside keeps the weight and goes off and on bottom.
 

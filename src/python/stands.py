@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Drills stand after stand: an autodriller to the end of each, then a connection by the rig's services, the pump ramped down and up. A law for
 drill_rig_sim.control."""
 from drill_rig_sim.autodriller import Autodriller

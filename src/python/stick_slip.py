@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Watches the torque for stick-slip and does something against it, one remedy after the other until the swings are gone. A law for drill_rig_sim.control.
 
 A bit that sticks and slips winds the string up and lets it go: at the surface the torque swings at the string's slowest torsion. No rig sees the bit.

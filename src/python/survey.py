@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Surveys by minimum curvature: between two stations the hole is an arc of a circle. Positions are (east, north, up) [m] from the rotary
 table, angles in radians, inclination from vertical down, azimuth clockwise from north. Needs no ROS.
 """

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The lists of signals, top-drive modes, gauges and faults of include/drill_rig_sim, as `drill reference --of tables.py` prints them."""
 import typing
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Text files as the simulator reads them: UTF-8, UTF-16 with a byte order mark, else latin-1, which is reported. Needs no ROS."""
 import logging
 import os

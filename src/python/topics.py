@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Control laws by topics (drill_rig_sim.control says what a law is): what a controller of a real rig would do."""
 import time
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Units in which the runner's commands and a campaign's page show numbers, by quantity; include/drill_rig_sim/math/shown_units.h says the same for C++. JSON
 and CSV files stay in SI."""
 import math

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """What `drill verify --score` starts: the scores of a run and of two finer models of it, and how far the run's are off the finest's. The runner has checked the
 command line."""
 import argparse

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """What `drill web` starts: a page about a rig, live or from a bag, for a browser on this machine. The runner has checked the command line."""
 import argparse
 import os

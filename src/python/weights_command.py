@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """What `drill weights` starts: finds the steady pick-up, slack-off and rotating moves of a time log and what the gauge shows of the empty block, as a table that
 drill calibrate fits. The runner has checked the command line."""
 import argparse

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """WITS level 0 (Wellsite Information Transfer Specification 1.1, 1991): records as ASCII lines RRIIvalue, record and item, between && and !!,
 and a server that sends them to its clients. Needs no ROS.
 """

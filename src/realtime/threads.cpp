@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/realtime/threads.h"
 
 #include <pthread.h>
@@ -49,9 +50,12 @@ std::string try_realtime(const RealtimeSpec& spec)
       })
       .join();
   if (core != 0) return not_permitted("core", core, "allowed: a core that this process may run on, or -1");
-  if (fifo != 0) return not_permitted("fifo_priority", fifo, "needed: `ulimit -r` of as much (rtprio in /etc/security/limits.conf) or CAP_SYS_NICE; or 0");
+  if (fifo != 0)
+    return not_permitted("fifo_priority", fifo,
+                         "needed: `ulimit -r` of as much (rtprio in /etc/security/limits.conf) or CAP_SYS_NICE; or 0");
   if (spec.lock_memory && mlockall(MCL_CURRENT | MCL_FUTURE) != 0)
-    return not_permitted("lock_memory", errno, "needed: `ulimit -l unlimited` (memlock in /etc/security/limits.conf) or CAP_IPC_LOCK; or false");
+    return not_permitted("lock_memory", errno,
+                         "needed: `ulimit -l unlimited` (memlock in /etc/security/limits.conf) or CAP_IPC_LOCK; or false");
   return "";
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/realtime/timekeeper.h"
 
 namespace drill_rig_sim

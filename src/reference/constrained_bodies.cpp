@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/reference/constrained_bodies.h"
 
 #include <Eigen/Dense>
@@ -21,8 +22,10 @@ constexpr int kPlace = 0, kTurn = 3, kVelocity = 6, kSpin = 9;
 // multipliers follow from the other unknowns: they must not decide when Newton's method has converged
 constexpr double kMultiplierTolerance = 1e12;
 
-/// Of a free body, by columns of forces and moments. One function, because Eigen's solver is compiled anew for each type of right-hand side.
-Eigen::Matrix<double, 6, Eigen::Dynamic> accelerations_under(const Eigen::Matrix<double, 6, 6>& inertia, const Eigen::Matrix<double, 6, Eigen::Dynamic>& forces)
+/// Of a free body, by columns of forces and moments. One function, because Eigen's solver is compiled anew for each type of
+/// right-hand side.
+Eigen::Matrix<double, 6, Eigen::Dynamic> accelerations_under(const Eigen::Matrix<double, 6, 6>& inertia,
+                                                             const Eigen::Matrix<double, 6, Eigen::Dynamic>& forces)
 {
   return inertia.llt().solve(forces);
 }
@@ -283,8 +286,8 @@ MatrixXd ConstrainedBodies::mobility(MatrixXd& rows, MatrixXd& answer)
   answer.resize(6 * body_count(), constraint_count_);
   for (int i = 0; i < body_count(); ++i)
   {
-    answer.middleRows<6>(6 * i) =
-        accelerations_under(inertia_by_acceleration(bodies_[static_cast<std::size_t>(i)], motion(i)), rows.middleCols<6>(6 * i).transpose());
+    answer.middleRows<6>(6 * i) = accelerations_under(inertia_by_acceleration(bodies_[static_cast<std::size_t>(i)], motion(i)),
+                                                      rows.middleCols<6>(6 * i).transpose());
   }
   return rows * answer;
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/reference/ida_integrator.h"
 
 #include <algorithm>
@@ -11,8 +12,8 @@ namespace drill_rig_sim
 namespace
 {
 constexpr double kLargestTilt = 0.3;  // [rad]
-// Flow reaches the mechanics through the motor's speed alone, which lags behind it: smaller changes from step to step, as while a pump's
-// ramp or compressed mud brings it, are smooth enough. [m3/s]
+// Flow reaches the mechanics through the motor's speed alone, which lags behind it: smaller changes from step to step, as while a
+// pump's ramp or compressed mud brings it, are smooth enough. [m3/s]
 constexpr double kFlowJump = 1e-3;
 // IDA's own steps in one interval, tried ones that failed among them. The benchmark's references, at 1e-7, take tens in 10 ms.
 constexpr long kMostSteps = 1000;
@@ -22,8 +23,8 @@ bool same(const Setpoints& a, const Setpoints& b)
   return a.winch.block_velocity == b.winch.block_velocity && a.winch.brake == b.winch.brake &&
          a.top_drive.mode == b.top_drive.mode && a.top_drive.speed == b.top_drive.speed &&
          a.top_drive.torque == b.top_drive.torque && a.top_drive.angle == b.top_drive.angle &&
-         a.top_drive.torque_limit == b.top_drive.torque_limit && a.top_drive.brake == b.top_drive.brake && a.steering == b.steering &&
-         a.magnetic_steering == b.magnetic_steering;
+         a.top_drive.torque_limit == b.top_drive.torque_limit && a.top_drive.brake == b.top_drive.brake &&
+         a.steering == b.steering && a.magnetic_steering == b.magnetic_steering;
 }
 }  // namespace
 
@@ -125,8 +126,9 @@ bool IdaIntegrator::advance_or_throw(State& state, double step, const Setpoints&
 
 const char* IdaIntegrator::failure() const noexcept
 {
-  return too_much_work_ ? "integrator ida needs more steps of its own than are allowed in one step: reset the well or restore a state"
-                        : Integrator::failure();
+  return too_much_work_
+             ? "integrator ida needs more steps of its own than are allowed in one step: reset the well or restore a state"
+             : Integrator::failure();
 }
 
 void IdaIntegrator::note()
@@ -137,7 +139,8 @@ void IdaIntegrator::note()
   report_.ida = now;
   counters_.steps += now.steps - before.steps;
   counters_.newton_iterations += now.newton_iterations - before.newton_iterations;
-  counters_.convergence_failures += now.error_test_failures + now.newton_failures - before.error_test_failures - before.newton_failures;
+  counters_.convergence_failures +=
+      now.error_test_failures + now.newton_failures - before.error_test_failures - before.newton_failures;
   work_.work.solves += now.newton_iterations - before.newton_iterations;
   const ConstraintDrift drift = rig_->drift(y_.data());
   report_.drift = std::max(report_.drift, drift.position);

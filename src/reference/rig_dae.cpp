@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/reference/rig_dae.h"
 
 #include <algorithm>
@@ -23,13 +24,7 @@ constexpr double kStatorAbove = 1.0, kBlockAbove = 4.0;
 // of what the joints keep from turning: any will do
 constexpr double kGyrationSquare = 1.0;  // [m2]
 // motor's speed and turn, the bottom's place, and the bit's mean speed
-enum Further
-{
-  kMotorSpeed,
-  kMotorTurn,
-  kBottom,
-  kMeanSpeed = kBottom + 3
-};
+constexpr int kMotorSpeed = 0, kMotorTurn = 1, kBottom = 2, kMeanSpeed = kBottom + 3;
 // finite differences of the bit's forces: [m, rad], [m/s, rad/s]
 constexpr double kPlaceStep = 1e-8, kRateStep = 1e-6;
 
@@ -51,7 +46,8 @@ RigDae::Rig RigDae::rig_of(const Model& model, const State& state)
 {
   Rig rig;
   add_string(model.mesh(), state, rig);
-  const int top = static_cast<int>(model.mesh().nodes.size()) - 1, bit = top + 1, rotor = top + 2, stator = top + 3, block = top + 4;
+  const int top = static_cast<int>(model.mesh().nodes.size()) - 1;
+  const int bit = top + 1, rotor = top + 2, stator = top + 3, block = top + 4;
   const auto motion = [&rig](int body) -> BodyMotion& { return rig.motions[static_cast<std::size_t>(body)]; };
   const RigSpec& spec = model.scene().rig;
   const BodyMotion shaft = motion(top);
@@ -177,7 +173,8 @@ BitDrive RigDae::bit_drive_at(const double* y, const GivenNode& bit) const
 }
 
 /// The rock recedes in time: nothing within the law's own implicit step.
-BitDrive RigDae::bit_drive(double motor_speed, double motor_turn, const Vector3d& bottom, double mean_speed, const GivenNode& bit) const
+BitDrive RigDae::bit_drive(double motor_speed, double motor_turn, const Vector3d& bottom, double mean_speed,
+                           const GivenNode& bit) const
 {
   const double speed = bit.rate.tail<3>().dot(x_axis(bit.orientation)) + motor_speed;
   return {motor_speed, motor_turn, mean_speed, drilling_speed(mean_speed, speed), 0.0, true, bottom};
@@ -191,7 +188,7 @@ RigDae::Drive RigDae::drive_at(const double* y) const
   out.speed = motion(rotor()).angular_velocity.dot(motion(rotor()).normal);
   out.twist = start_->drive.meter_twist + out.turn - (spin(top, y) - spin(top, start_y_.data()));
   out.by_drive = drive_torque(model_.scene().rig.top_drive, setpoints_.top_drive, start_->drive, stage_.time, out.turn, out.speed,
-                             out.twist);
+                              out.twist);
   return out;
 }
 
@@ -203,7 +200,8 @@ RigDae::BlockForces RigDae::block_forces(const double* y) const
   const double height = m.position.z() - kBlockAbove, lift = y[z] - start_y_[static_cast<std::size_t>(z)];
   const LinePull pull = line_pull(spec, height, stage_.hoist.line_length);
   return {pull, line_damper(spec, pull, m.velocity.z(), stage_.hoist.winch_speed),
-          rail_bristle(spec, start_->hoist.rail_deflection).at(lift, m.velocity.z(), stage_.time), stop_force(spec, height, m.velocity.z())};
+          rail_bristle(spec, start_->hoist.rail_deflection).at(lift, m.velocity.z(), stage_.time),
+          stop_force(spec, height, m.velocity.z())};
 }
 
 void RigDae::add_forces(double t, const double* y, double* force)
@@ -267,7 +265,8 @@ void RigDae::add_force_jacobian(double t, const double* y, SparseJacobian& j)
   stage_.dv_du = 1.0;
   evaluate_motion(model_, *start_, stage_, motion_, work_, string_.data(), contact_.data(), &string_by_both_, &contact_by_both_);
   stage_.dv_du = 0.0;
-  evaluate_motion(model_, *start_, stage_, motion_, work_, string_.data(), contact_.data(), &string_by_place_, &contact_by_place_);
+  evaluate_motion(model_, *start_, stage_, motion_, work_, string_.data(), contact_.data(), &string_by_place_,
+                  &contact_by_place_);
   auto add = [&](int row, int column, const Matrix6& place, const Matrix6& both)
   { add_force_derivative(row, column, place, both - place, j); };
   for (int i = 0; i < string_nodes(); ++i)
@@ -378,7 +377,8 @@ Eigen::Matrix<double, 12, 6> differences_by_further(const Answer& answer, const 
 /// The bit's own forces and the further states, by some thirty evaluations of one node.
 void RigDae::add_bit_jacobian(SparseJacobian& j)
 {
-  const BitMotion given{motion_.bit, stage_.bit.motor_speed, stage_.bit.motor_turn, stage_.bit.mean_speed, stage_.bit.bottom_increment};
+  const BitMotion given{motion_.bit, stage_.bit.motor_speed, stage_.bit.motor_turn, stage_.bit.mean_speed,
+                        stage_.bit.bottom_increment};
   const auto answer = [this](const BitMotion& at)
   {
     stage_.bit = bit_drive(at.motor_speed, at.motor_turn, at.bottom, at.mean_speed, at.node);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // From the differential-algebraic system back to the model: a stage within an interval, and the state at its end.
 #include "drill_rig_sim/math/rotation.h"
 #include "drill_rig_sim/reference/rig_dae.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/rig/damped_bristle.h"
 
 #include "drill_rig_sim/contact/one_lane_friction.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/rig/drive_reference.h"
 
 #include <algorithm>
@@ -30,11 +31,14 @@ double target_speed(const TopDriveSpec& spec, const TopDriveSetpoint& command, c
   const double most = speed_to_angles(spec, command);
   switch (goal_of(command.mode))
   {
-    case DriveGoal::torque: return 0.0;
+    case DriveGoal::torque:
+      return 0.0;
     case DriveGoal::angle:
       return std::clamp(speed_to_rest(command.angle - start.angle, acceleration_to_angles(spec)), -most, most);
-    case DriveGoal::swing: return swings_left(spec, command, start) ? -most : most;
-    case DriveGoal::speed: break;
+    case DriveGoal::swing:
+      return swings_left(spec, command, start) ? -most : most;
+    case DriveGoal::speed:
+      break;
   }
   return std::clamp(command.speed, -spec.max_speed, spec.max_speed);
 }
@@ -69,7 +73,8 @@ bool swings_left(const TopDriveSpec& spec, const TopDriveSetpoint& command, cons
   if (goal_of(command.mode) != DriveGoal::swing) return start.swings_left;
   const double way = start.swings_left ? -1.0 : 1.0, speed = way * start.reference, most = speed_to_angles(spec, command);
   const double stop = speed > 0.0 ? 0.5 * speed * speed / acceleration_to_angles(spec) : 0.0;
-  const double left_over = start.swings_left ? start.angle - (command.angle - command.amplitude_left) : command.angle + command.amplitude_right - start.angle;
+  const double left_over = start.swings_left ? start.angle - (command.angle - command.amplitude_left)
+                                             : command.angle + command.amplitude_right - start.angle;
   const bool held = start.limited && speed >= most && std::abs(start.speed) < standing_rotor;
   return left_over <= stop || held ? !start.swings_left : start.swings_left;
 }

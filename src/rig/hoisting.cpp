@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/rig/hoisting.h"
 
 #include <algorithm>
@@ -62,13 +63,15 @@ LineDamper line_damper(const HoistingSpec& spec, const LinePull& pull, double bl
 DampedBristle rail_bristle(const HoistingSpec& spec, double deflection) noexcept
 {
   // half of critical
-  return {spec.rail_friction * standard_gravity * spec.block_mass, rail_stiffness, std::sqrt(rail_stiffness * spec.block_mass), deflection};
+  return {spec.rail_friction * standard_gravity * spec.block_mass, rail_stiffness, std::sqrt(rail_stiffness * spec.block_mass),
+          deflection};
 }
 
 StopForce stop_force(const HoistingSpec& spec, double block_height, double block_velocity) noexcept
 {
   const bool low = block_height < spec.lowest_block_height;
-  const double beyond = (low ? spec.lowest_block_height - block_height : block_height - spec.highest_block_height) - stop_clearance;
+  const double beyond =
+      (low ? spec.lowest_block_height - block_height : block_height - spec.highest_block_height) - stop_clearance;
   const double side = low ? 1.0 : -1.0;
   const double share = 1.0 - stop_damping * side * block_velocity;
   if (beyond <= 0.0) return {};
@@ -109,7 +112,8 @@ WinchStep advance_winch(const HoistingSpec& spec, const WinchSetpoint& command, 
   return out;
 }
 
-double slipping_line(const HoistingSpec& spec, double line_length, double block_height, double block_velocity, double most, double step) noexcept
+double slipping_line(const HoistingSpec& spec, double line_length, double block_height, double block_velocity, double most,
+                     double step) noexcept
 {
   return std::max(line_length, line_length_for(spec, block_height + block_velocity * step, most));
 }

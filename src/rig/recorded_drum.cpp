@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/rig/recorded_drum.h"
 
 #include <algorithm>
@@ -20,7 +21,10 @@ struct GaugeRow
   double reading;       // of the hook load [N]
 
   /// On the lines, with the sheaves' friction built up to `slip` [N].
-  double load(double slip) const noexcept { return reading / (dead_line ? dead_line_hook_load(1.0, slip, spec.sheaves, spec.sheave_efficiency) : 1.0); }
+  double load(double slip) const noexcept
+  {
+    return reading / (dead_line ? dead_line_hook_load(1.0, slip, spec.sheaves, spec.sheave_efficiency) : 1.0);
+  }
   double drum(double slip) const noexcept { return unloaded_height(spec, block_height, load(slip)); }
 };
 
@@ -59,7 +63,8 @@ double unloaded_height(const HoistingSpec& spec, double block_height, double hoo
   return spec.crown_height - (line_length_for(spec, block_height, hook_load) - spec.fixed_length) / (2.0 * spec.sheaves);
 }
 
-std::vector<double> drum_heights(const HoistingSpec& spec, bool dead_line, const std::vector<double>& heights, const std::vector<double>& hook_loads)
+std::vector<double> drum_heights(const HoistingSpec& spec, bool dead_line, const std::vector<double>& heights,
+                                 const std::vector<double>& hook_loads)
 {
   std::vector<double> out;
   RecordedDrum drum;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/rig/top_drive.h"
 
 #include <algorithm>
@@ -27,7 +28,8 @@ struct Rotor
   Rotor with(const Branch& torque) const noexcept { return {stiffness - torque.slope, load + torque.at_zero}; }
 };
 
-/// tau = torque + speed_gain (speed - w) + turn_gain (turn - u) + meter_gain T, w the rotor's speed, u its turn since the start of the step.
+/// tau = torque + speed_gain (speed - w) + turn_gain (turn - u) + meter_gain T, w the rotor's speed, u its turn since the start
+/// of the step.
 struct Law
 {
   double torque = 0.0;
@@ -72,7 +74,10 @@ struct Loop
   /// What an integral holds [N m/rad].
   double holding() const noexcept { return integral > 0.0 ? integral : 1.0; }
   bool holds_as(const Loop& other) const noexcept { return integral == other.integral && lightened == other.lightened; }
-  double torque(double held, double error, double meter) const noexcept { return meter + lightened * (proportional * error + held - meter); }
+  double torque(double held, double error, double meter) const noexcept
+  {
+    return meter + lightened * (proportional * error + held - meter);
+  }
   /// The held torque that makes this one of the motor's.
   double held(double torque, double error, double meter) const noexcept
   {
@@ -80,9 +85,15 @@ struct Loop
   }
 };
 
-Loop loop_of_speed(const TopDriveSpec& spec) noexcept { return {spec.proportional_gain, spec.integral_gain}; }
+Loop loop_of_speed(const TopDriveSpec& spec) noexcept
+{
+  return {spec.proportional_gain, spec.integral_gain};
+}
 
-Loop loop_of_droop(const TopDriveSpec& spec) noexcept { return {spec.proportional_gain, 0.0}; }
+Loop loop_of_droop(const TopDriveSpec& spec) noexcept
+{
+  return {spec.proportional_gain, 0.0};
+}
 
 Loop loop_of_angle(const TopDriveSpec& spec) noexcept
 {
@@ -90,9 +101,18 @@ Loop loop_of_angle(const TopDriveSpec& spec) noexcept
   return {gain, std::max(spec.integral_gain, 0.25 * gain * gain / spec.inertia)};
 }
 
-Loop loop_of(const DriveImpedance& z) noexcept { return {z.damping, z.stiffness, 1.0 / (1.0 - z.inertia_compensation)}; }
-Loop loop_of_soft_torque(const TopDriveSpec& spec) noexcept { return loop_of(spec.soft_torque); }
-Loop loop_of_z_torque(const TopDriveSpec& spec) noexcept { return loop_of(spec.z_torque); }
+Loop loop_of(const DriveImpedance& z) noexcept
+{
+  return {z.damping, z.stiffness, 1.0 / (1.0 - z.inertia_compensation)};
+}
+Loop loop_of_soft_torque(const TopDriveSpec& spec) noexcept
+{
+  return loop_of(spec.soft_torque);
+}
+Loop loop_of_z_torque(const TopDriveSpec& spec) noexcept
+{
+  return loop_of(spec.z_torque);
+}
 
 Loop loop_of(const TopDriveSpec& spec, TopDriveMode mode) noexcept
 {
@@ -137,8 +157,13 @@ struct Motor
   SpeedReference reference;
 
   Motor(const TopDriveSpec& s, const TopDriveSetpoint& c, const DriveState& at_start) noexcept
-    : spec(s), command(c), start(at_start), limit(motor_torque_limit(s, c, at_start.speed)), loop(loop_of(s, c.mode)),
-      integral(integral_taken_over(s, c.mode, at_start, limit)), reference(speed_reference(s, c, at_start))
+      : spec(s),
+        command(c),
+        start(at_start),
+        limit(motor_torque_limit(s, c, at_start.speed)),
+        loop(loop_of(s, c.mode)),
+        integral(integral_taken_over(s, c.mode, at_start, limit)),
+        reference(speed_reference(s, c, at_start))
   {
   }
 
@@ -202,8 +227,8 @@ struct Motor
 /// Friction of gearbox and brake in a step from `start`.
 DampedBristle gear_bristle(const TopDriveSpec& spec, bool braked, const DriveState& start) noexcept
 {
-  DampedBristle out{spec.gearbox_friction + (braked ? spec.brake_torque : 0.0), gear_stiffness, std::sqrt(gear_stiffness * spec.inertia),
-                    start.gear_twist};
+  DampedBristle out{spec.gearbox_friction + (braked ? spec.brake_torque : 0.0), gear_stiffness,
+                    std::sqrt(gear_stiffness * spec.inertia), start.gear_twist};
   if (braked && !start.braked) out.deflection -= loop_of(spec, start.loop).holding() * start.integral / gear_stiffness;
   return out;
 }
@@ -234,7 +259,8 @@ DriveState next_state(const Motor& motor, bool braked, const End& end) noexcept
   next.braked = braked;
   next.loop = braked ? TopDriveMode::torque : motor.command.mode;
   next.integral = braked ? (end.motor + end.friction) / loop_of(motor.spec, next.loop).holding()
-                         : motor.next_integral(end.time, end.speed, end.turn, end.motor, motor.spec.meter_stiffness * end.meter_twist, end.saturated);
+                         : motor.next_integral(end.time, end.speed, end.turn, end.motor,
+                                               motor.spec.meter_stiffness * end.meter_twist, end.saturated);
   return next;
 }
 }  // namespace
@@ -252,12 +278,13 @@ bool brake_is_on(const TopDriveSpec& spec, const TopDriveSetpoint& command, cons
   const bool stands = start.braked || std::abs(start.speed) < standing_rotor;
   const TopDriveModeTraits& mode = top_drive_modes[static_cast<int>(command.mode)];
   const bool stopped = mode.goal == DriveGoal::speed && command.speed == 0.0;
-  const bool there = mode.goal == DriveGoal::angle && std::abs(command.angle - start.angle) < (start.braked ? 1.0 : 0.5) * angle_tolerance;
+  const bool there =
+      mode.goal == DriveGoal::angle && std::abs(command.angle - start.angle) < (start.braked ? 1.0 : 0.5) * angle_tolerance;
   return command.brake || (mode.brakes && (stopped || there) && stands);
 }
 
-RotorResult solve_rotor(const TopDriveSpec& spec, const TopDriveSetpoint& command, const DriveState& start, const RotorStage& stage,
-                        double top_spin) noexcept
+RotorResult solve_rotor(const TopDriveSpec& spec, const TopDriveSetpoint& command, const DriveState& start,
+                        const RotorStage& stage, double top_spin) noexcept
 {
   const double spring = spec.meter_stiffness;
   const Branch meter{spring * (start.meter_twist - top_spin), spring};
@@ -284,14 +311,15 @@ RotorResult solve_rotor(const TopDriveSpec& spec, const TopDriveSetpoint& comman
   out.meter_torque = spring * twist;
   const double by_top = found.saturated ? spring : spring * (1.0 - found.law.meter_gain);
   out.stiffness = spring * (1.0 - by_top / (bare.stiffness - held.slope - found.branch.slope));
-  out.state = next_state(motor, braked, {stage.time, u, stage.dv_du * u + stage.rate_0, twist, out.motor_torque, out.friction, found.saturated});
+  out.state = next_state(motor, braked,
+                         {stage.time, u, stage.dv_du * u + stage.rate_0, twist, out.motor_torque, out.friction, found.saturated});
   out.state.gear_twist = gear.next(u, out.friction, held.slope == 0.0, stage.time);
   out.state.limited = found.saturated || motor.holds_speed(found.law);
   return out;
 }
 
-DriveTorque drive_torque(const TopDriveSpec& spec, const TopDriveSetpoint& command, const DriveState& start, double time, double turn,
-                         double speed, double twist) noexcept
+DriveTorque drive_torque(const TopDriveSpec& spec, const TopDriveSetpoint& command, const DriveState& start, double time,
+                         double turn, double speed, double twist) noexcept
 {
   const bool braked = brake_is_on(spec, command, start);
   const Motor motor(spec, command, start);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/ros/accuracy_message.h"
 
 #include <limits>
@@ -12,7 +13,8 @@ std::string text_of(const CompanionStatistics& companion)
   std::string text = companion.level;
   if (text.empty()) return text;
   text += ", " + std::to_string(companion.nodes) + " nodes";
-  if (companion.coordinates > 0) text += ", " + std::to_string(companion.coordinates) + " coordinates";  // counted by its first frame
+  if (companion.coordinates > 0)
+    text += ", " + std::to_string(companion.coordinates) + " coordinates";  // counted by its first frame
   return text;
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/ros/clock_watch.h"
 
 namespace drill_rig_sim
@@ -53,7 +54,8 @@ std::string HeardClock::trouble(const ros::SteadyTime& now, bool published) cons
   return "two nodes publish /clock: " + publisher_ + " and " + second_;
 }
 
-ClockWatch::ClockWatch(ros::NodeHandle& node, ros::NodeHandle& unhurried, const Parameters& parameters, std::function<void(std::int64_t)> hear)
+ClockWatch::ClockWatch(ros::NodeHandle& node, ros::NodeHandle& unhurried, const Parameters& parameters,
+                       std::function<void(std::int64_t)> hear)
     : follows_(parameters.time_source() == TimeSource::other_rig),
       hear_(std::move(hear)),
       heard_(follows_ ? "" : ros::this_node::getName(), ros::SteadyTime::now()),

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/ros/command_senders.h"
 
 #include <iterator>
@@ -9,7 +10,8 @@ void CommandSenders::note(const std::string& topic, const std::string& node, con
   const std::lock_guard<std::mutex> lock(mutex_);
   std::map<std::string, ros::SteadyTime>& nodes = heard_[topic];
   nodes[node] = now;
-  for (auto entry = nodes.begin(); entry != nodes.end();) entry = (now - entry->second).toSec() > recent ? nodes.erase(entry) : std::next(entry);
+  for (auto entry = nodes.begin(); entry != nodes.end();)
+    entry = (now - entry->second).toSec() > recent ? nodes.erase(entry) : std::next(entry);
 }
 
 std::string CommandSenders::trouble(const ros::SteadyTime& now) const

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/ros/diagnostics_publisher.h"
 
 #include <utility>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/ros/diagnostics_report.h"
 
 #include <cmath>
@@ -85,8 +86,8 @@ std::string trouble_of(const OperationStatus& operation)
 {
   if (operation.trouble == OperationTrouble::none) return "";
   std::ostringstream text;
-  text << "operation " << operation.number << " of " << operation.count << ", " << word_of(operation.kind) << ", was given up, the block is braked: "
-       << text_of(operation.trouble);
+  text << "operation " << operation.number << " of " << operation.count << ", " << word_of(operation.kind)
+       << ", was given up, the block is braked: " << text_of(operation.trouble);
   return text.str();
 }
 
@@ -109,12 +110,14 @@ std::optional<double> RealTimeFactor::update(double ticked, RunState state, std:
   return factor_;
 }
 
-diagnostic_msgs::DiagnosticArray DiagnosticsReport::on(const FrameRecord& frame, const Refusals& refusals, const std::string& clock_trouble, std::int64_t now,
+diagnostic_msgs::DiagnosticArray DiagnosticsReport::on(const FrameRecord& frame, const Refusals& refusals,
+                                                       const std::string& clock_trouble, std::int64_t now,
                                                        const std::string& sender_trouble)
 {
   diagnostic_msgs::DiagnosticArray array;
   array.header.stamp = to_time(frame.stamp);
-  array.status = {time_status(frame, clock_trouble, now), physics_status(frame), accuracy_status(frame), command_status(frame, refusals, sender_trouble)};
+  array.status = {time_status(frame, clock_trouble, now), physics_status(frame), accuracy_status(frame),
+                  command_status(frame, refusals, sender_trouble)};
   return array;
 }
 
@@ -127,7 +130,8 @@ DiagnosticsReport::Status DiagnosticsReport::status(const std::string& part, con
   return s;
 }
 
-DiagnosticsReport::Status DiagnosticsReport::time_status(const FrameRecord& frame, const std::string& clock_trouble, std::int64_t now)
+DiagnosticsReport::Status DiagnosticsReport::time_status(const FrameRecord& frame, const std::string& clock_trouble,
+                                                         std::int64_t now)
 {
   Status s = status("time", word(frame.run_state));
   if (frame.loop.dropped_seconds > dropped_before_)
@@ -168,7 +172,8 @@ DiagnosticsReport::Status DiagnosticsReport::physics_status(const FrameRecord& f
   tell(frame.truth.over_torque, "connection beyond its make-up torque", "make_up", p.loads.torque);
   tell(frame.truth.buckled, "pipe beyond its buckling load", "buckling", p.loads.buckling);
   if (p.tight) s.mergeSummary(DiagnosticStatus::WARN, text_of(*p.tight));
-  if (frame.truth.relief_valve_open) s.mergeSummary(DiagnosticStatus::WARN, "relief valve open: part of the flow goes back to the tanks");
+  if (frame.truth.relief_valve_open)
+    s.mergeSummary(DiagnosticStatus::WARN, "relief valve open: part of the flow goes back to the tanks");
   s.add("level", p.level);
   s.add("integrator", p.integrator);
   s.add("kernel", name_of(p.kernel));
@@ -180,7 +185,7 @@ DiagnosticsReport::Status DiagnosticsReport::physics_status(const FrameRecord& f
   s.add("steps", p.steps);
   s.add("newton_iterations", p.newton_iterations);
   s.add("newton_iterations_per_step",
-      p.steps > 0 ? static_cast<double>(p.newton_iterations) / static_cast<double>(p.steps) : 0.0);
+        p.steps > 0 ? static_cast<double>(p.newton_iterations) / static_cast<double>(p.steps) : 0.0);
   s.add("convergence_failures", p.convergence_failures);
   s.add("error_test_failures", p.error_test_failures);
   s.add("error_estimate", p.last_error_estimate);
@@ -191,11 +196,13 @@ DiagnosticsReport::Status DiagnosticsReport::accuracy_status(const FrameRecord& 
 {
   const SimulatorStatistics& p = frame.physics;
   const std::string errors = needed_errors(frame), why = why_not_measured(p);
-  Status s = status("accuracy", why.empty() ? "measured errors, relative to the ranges: " + errors : "error not measured: " + why);
+  Status s =
+      status("accuracy", why.empty() ? "measured errors, relative to the ranges: " + errors : "error not measured: " + why);
   if (frame.truth.accuracy_warning) s.mergeSummary(DiagnosticStatus::WARN, text_of(p.accuracy));
   s.add("reason_code", code_of(p.accuracy.doubt));
   s.add("measured_errors", errors);
-  for (std::size_t i = 0; p.error_is_measured && i < output_count; ++i) s.add(std::string("error_") + output_traits[i].name, p.errors[i]);
+  for (std::size_t i = 0; p.error_is_measured && i < output_count; ++i)
+    s.add(std::string("error_") + output_traits[i].name, p.errors[i]);
   s.add("error_window", difference_window);
   s.add("tolerance", frame.accuracy.tolerance);
   s.add("companion", text_of(p.companion));
@@ -204,7 +211,8 @@ DiagnosticsReport::Status DiagnosticsReport::accuracy_status(const FrameRecord& 
   return s;
 }
 
-DiagnosticsReport::Status DiagnosticsReport::command_status(const FrameRecord& frame, const Refusals& refusals, const std::string& sender_trouble)
+DiagnosticsReport::Status DiagnosticsReport::command_status(const FrameRecord& frame, const Refusals& refusals,
+                                                            const std::string& sender_trouble)
 {
   Status s = status("commands", "obeyed");
   const std::uint64_t refused = refusals.number(), clamped = frame.physics.commands_clamped;

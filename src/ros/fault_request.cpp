@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "fault_request.h"
 
 #include <string>
@@ -8,7 +9,8 @@ namespace drill_rig_sim
 {
 Fault to_fault(const InjectFault::Request& request)
 {
-  if (request.fault >= fault_count) throw Refusal("fault is " + std::to_string(request.fault) + "; allowed is 0 to " + std::to_string(fault_count - 1));
+  if (request.fault >= fault_count)
+    throw Refusal("fault is " + std::to_string(request.fault) + "; allowed is 0 to " + std::to_string(fault_count - 1));
   const FaultKind kind = static_cast<FaultKind>(request.fault);
   if (!request.clear) require_only_what_applies(kind, request.target, request.depth, request.magnitude);
   return fault_of(kind, request.target, request.depth, request.magnitude);

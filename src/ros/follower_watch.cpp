@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/ros/follower_watch.h"
 
 #include <algorithm>
@@ -47,8 +48,8 @@ FollowerWatch::FollowerWatch(ros::NodeHandle& node, const Parameters& parameters
   if (parameters.clock != ClockMode::lockstep || parameters.time_source() != TimeSource::own) return;
   clock_ = node.advertise<rosgraph_msgs::Clock>("/clock", parameters.queue());
   ros::SubscribeOptions options;
-  options.initByFullCallbackType<const ros::MessageEvent<const rosgraph_msgs::Clock>&>("/clock_followers", 100,
-      [this](const ros::MessageEvent<const rosgraph_msgs::Clock>& event) { take(event); });
+  options.initByFullCallbackType<const ros::MessageEvent<const rosgraph_msgs::Clock>&>(
+      "/clock_followers", 100, [this](const ros::MessageEvent<const rosgraph_msgs::Clock>& event) { take(event); });
   subscriber_ = node.subscribe(options);
   look_timer_ = node.createWallTimer(ros::WallDuration(0.5), [this](const ros::WallTimerEvent&) { look(); });
 }
@@ -59,7 +60,8 @@ void FollowerWatch::take(const ros::MessageEvent<const rosgraph_msgs::Clock>& ev
   std::int64_t slowest = 0;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    followers_.hear(event.getPublisherName(), next == ros::TIME_MAX ? Followers::failed : static_cast<std::int64_t>(next.toNSec()), ros::SteadyTime::now());
+    followers_.hear(event.getPublisherName(),
+                    next == ros::TIME_MAX ? Followers::failed : static_cast<std::int64_t>(next.toNSec()), ros::SteadyTime::now());
     slowest = followers_.slowest();
   }
   changed_.notify_all();

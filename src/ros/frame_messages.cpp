@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/ros/frame_messages.h"
 
 #include <Eigen/Geometry>
@@ -9,8 +10,8 @@ namespace drill_rig_sim
 {
 namespace
 {
-// A time of the simulator [s] in the stamps' time: so long before the frame; 0 where that is before the stamps began, as after a state of
-// another node was restored.
+// A time of the simulator [s] in the stamps' time: so long before the frame; 0 where that is before the stamps began, as after a
+// state of another node was restored.
 std_msgs::Header measured_at(const FrameRecord& frame, double time, const std::string& floor)
 {
   std_msgs::Header header = to_header(frame.stamp, floor);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/ros/marker_publisher.h"
 
 #include <utility>
@@ -13,7 +14,8 @@ MarkerPublisher::MarkerPublisher(ros::NodeHandle& node, const Parameters& parame
     subscriptions_.markers = true;
     ask_for_picture();
   };
-  const auto bid_farewell = [this](const ros::SingleSubscriberPublisher&) { subscriptions_.markers = markers_.getNumSubscribers() > 0; };
+  const auto bid_farewell = [this](const ros::SingleSubscriberPublisher&)
+  { subscriptions_.markers = markers_.getNumSubscribers() > 0; };
   markers_ = node.advertise<visualization_msgs::MarkerArray>("markers", 10, greet, bid_farewell);
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/ros/parameters.h"
 
 #include <ros/package.h>
@@ -69,7 +70,8 @@ public:
       const std::size_t first = part.find_first_not_of(' ');
       const std::string kind = first == std::string::npos ? "" : part.substr(first, part.find_last_not_of(' ') + 1 - first);
       const auto* found = std::find(std::begin(command_kind_names), std::end(command_kind_names), kind);
-      if (found == std::end(command_kind_names)) refuse(name, all, "of winch, top_drive, mud_pump and steering, with commas between them");
+      if (found == std::end(command_kind_names))
+        refuse(name, all, "of winch, top_drive, mud_pump and steering, with commas between them");
       kinds |= 1u << (found - std::begin(command_kind_names));
     }
   }
@@ -97,7 +99,8 @@ public:
     refuse(name, raw, "one of " + allowed);
   }
 
-  void whole_number(const std::string& name, double& value, double most, const std::string& allowed = "a whole number >= 0", double least = 0.0)
+  void whole_number(const std::string& name, double& value, double most, const std::string& allowed = "a whole number >= 0",
+                    double least = 0.0)
   {
     number(name, value, least, most, allowed);
     XmlRpc::XmlRpcValue raw;
@@ -134,7 +137,8 @@ public:
     std::ostringstream value;
     raw.write(value);
     const bool text = raw.getType() == XmlRpc::XmlRpcValue::TypeString;
-    throw ParameterError("parameter ~" + name + " is " + (text ? '"' + value.str() + '"' : value.str()) + "; allowed is " + allowed);
+    throw ParameterError("parameter ~" + name + " is " + (text ? '"' + value.str() + '"' : value.str()) + "; allowed is " +
+                         allowed);
   }
 
 private:
@@ -211,11 +215,11 @@ Parameters read_parameters(const ros::NodeHandle& node)
   read.refuse_unknown();
 
   p.seed = static_cast<std::uint64_t>(seed);
-  if (p.step_on_commands != 0 && p.clock != ClockMode::lockstep) throw ParameterError("parameter ~step_on_commands: allowed only with ~clock lockstep");
+  if (p.step_on_commands != 0 && p.clock != ClockMode::lockstep)
+    throw ParameterError("parameter ~step_on_commands: allowed only with ~clock lockstep");
   ros::param::get("/use_sim_time", p.use_sim_time);
   if (!p.publish_clock && p.clock != ClockMode::realtime)
-    throw ParameterError(
-        "parameter ~clock must be realtime where ~publish_clock is false: another node publishes /clock");
+    throw ParameterError("parameter ~clock must be realtime where ~publish_clock is false: another node publishes /clock");
   try
   {
     p.scene_file = find_scene(scene);
@@ -245,8 +249,9 @@ std::string find_file(const std::string& what, const std::string& name, const st
     file = ros::package::getPath("drill_rig_sim") + "/" + folder_of_relative + "/" + name;
   }
   if (name.empty() || !readable(file))
-    throw ParameterError(what + " is " + name + "; allowed is a regular file that can be read, absolute, package://PACKAGE/FILE, " +
-                         "or relative to " + folder_of_relative + " (tried " + file + ")");
+    throw ParameterError(what + " is " + name +
+                         "; allowed is a regular file that can be read, absolute, package://PACKAGE/FILE, " + "or relative to " +
+                         folder_of_relative + " (tried " + file + ")");
   return file;
 }
 

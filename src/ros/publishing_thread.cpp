@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/ros/publishing_thread.h"
 
 #include <algorithm>
@@ -7,8 +8,9 @@
 
 namespace drill_rig_sim
 {
-PublishingThread::PublishingThread(ros::NodeHandle& node, const Parameters& parameters, FrameRing& ring, Subscriptions& subscriptions,
-                                   std::function<void()> ask_for_picture, std::function<void()> on_change)
+PublishingThread::PublishingThread(ros::NodeHandle& node, const Parameters& parameters, FrameRing& ring,
+                                   Subscriptions& subscriptions, std::function<void()> ask_for_picture,
+                                   std::function<void()> on_change)
     : ring_(ring),
       on_change_(std::move(on_change)),
       tells_time_(parameters.publish_clock && parameters.use_sim_time),
@@ -19,7 +21,8 @@ PublishingThread::PublishingThread(ros::NodeHandle& node, const Parameters& para
       trajectory_(node, parameters),
       period_(parameters.frame_period())
 {
-  if (parameters.time_source() == TimeSource::other_rig) next_frame_ = node.advertise<rosgraph_msgs::Clock>("/clock_followers", 1, true);
+  if (parameters.time_source() == TimeSource::other_rig)
+    next_frame_ = node.advertise<rosgraph_msgs::Clock>("/clock_followers", 1, true);
   if (parameters.publish_clock) clock_.emplace(node, "/clock", parameters.queue());
 }
 

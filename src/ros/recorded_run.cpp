@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Runs in bags, to be played again.
 #include <rosbag/bag.h>
 #include <rosbag/view.h>
@@ -20,7 +21,8 @@ namespace drill_rig_sim
 namespace
 {
 const std::string of_state = "truth/rig_state";
-const std::string of_companion = "/companion/";  // ends what stands before the topics of a rig's companion, which is no rig of its own
+const std::string of_companion =
+    "/companion/";  // ends what stands before the topics of a rig's companion, which is no rig of its own
 
 std::string without_slashes(const std::string& text)
 {
@@ -41,7 +43,9 @@ std::string prefix_of(const rosbag::Bag& bag, const std::string& asked)
     if (ends_with(prefix, of_companion)) continue;
     if (asked.empty() || without_slashes(prefix) == without_slashes(asked)) found.insert(prefix);
   }
-  if (found.empty()) throw std::runtime_error("has no " + of_state + (asked.empty() ? "" : " in the namespace " + asked) + ", which is needed to replay a run");
+  if (found.empty())
+    throw std::runtime_error("has no " + of_state + (asked.empty() ? "" : " in the namespace " + asked) +
+                             ", which is needed to replay a run");
   if (found.size() == 1) return *found.begin();
   std::string names;
   for (const std::string& prefix : found) names += (names.empty() ? "" : ", ") + without_slashes(prefix);
@@ -52,7 +56,8 @@ template <class Message>
 boost::shared_ptr<Message> read(const rosbag::MessageInstance& instance)
 {
   const boost::shared_ptr<Message> message = instance.instantiate<Message>();
-  if (!message) throw std::runtime_error("was recorded by another version: " + instance.getDataType() + " of " + instance.getTopic() +
+  if (!message)
+    throw std::runtime_error("was recorded by another version: " + instance.getDataType() + " of " + instance.getTopic() +
                              " has other fields; convert a bag of 0.2 with rosrun drill_rig_sim migrate_bag OLD.bag NEW.bag");
   return message;
 }
@@ -92,16 +97,20 @@ Topics topics_of(const rosbag::Bag& bag, const std::string& prefix)
     topics.rows[said->header.stamp] = row_of(*said);
   }
   if (topics.start) topics.rows.erase(topics.rows.begin(), topics.rows.lower_bound(*topics.start));
-  if (topics.rows.size() < 2) throw std::runtime_error("has fewer than two rig states after its last start, needed: a run recorded from the start of the rig");
+  if (topics.rows.size() < 2)
+    throw std::runtime_error(
+        "has fewer than two rig states after its last start, needed: a run recorded from the start of the rig");
   return topics;
 }
 
-/// The stamp of the rig at its start: 0 in a bag of `drill run`; of a node that of its first state, which comes with the description or a tick after it.
+/// The stamp of the rig at its start: 0 in a bag of `drill run`; of a node that of its first state, which comes with the
+/// description or a tick after it.
 ros::Time stamp_of_start(const Topics& topics)
 {
   if (!topics.start) return ros::Time();
   ros::Duration tick = ros::DURATION_MAX;
-  for (auto row = topics.rows.begin(), next = std::next(row); next != topics.rows.end(); ++row, ++next) tick = std::min(tick, next->first - row->first);
+  for (auto row = topics.rows.begin(), next = std::next(row); next != topics.rows.end(); ++row, ++next)
+    tick = std::min(tick, next->first - row->first);
   const ros::Time first = topics.rows.begin()->first;
   return first - *topics.start < tick * 1.5 ? first : *topics.start;
 }

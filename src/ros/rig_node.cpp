@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/ros/rig_node.h"
 
 #include <memory>
@@ -38,7 +39,8 @@ RigNode::RigNode()
       publishing_(
           node_, parameters_, ring_, loop_.subscriptions(), [this] { loop_.refresh(); }, [this] { diagnostics_.publish(); }),
       diagnostics_(
-          node_, [this] { return publishing_.last(); }, mailbox_.refusals(), mailbox_.senders(), [this] { return clock_.trouble(); }),
+          node_, [this] { return publishing_.last(); }, mailbox_.refusals(), mailbox_.senders(),
+          [this] { return clock_.trouble(); }),
       services_(service_node_, parameters_, scene_, loop_, publishing_, followers_),
       spinner_(1),
       service_spinner_(2, &service_queue_)
@@ -63,10 +65,11 @@ void RigNode::say_what_runs()
   else
     steps << "variable steps by a tolerance of " << scene_.numerics.tolerance;
   if (!simulator.choice().empty()) why << " (auto: " << simulator.choice() << ")";
-  ROS_INFO_STREAM("scene " << scene_.name << ", level " << rig.level << why.str() << ", " << rig.nodes << " nodes, " << steps.str() << ", rate "
-                           << parameters_.rate << " Hz, namespace " << node_.getNamespace());
+  ROS_INFO_STREAM("scene " << scene_.name << ", level " << rig.level << why.str() << ", " << rig.nodes << " nodes, "
+                           << steps.str() << ", rate " << parameters_.rate << " Hz, namespace " << node_.getNamespace());
   for (const std::string& remark : scene_.remarks) ROS_WARN_STREAM(remark);
-  const std::string doubt = doubt_of_pressures(mud_circuit(scene_, build_mesh(scene_, scene_.start.bit_depth + scene_.start.block_height)));
+  const std::string doubt =
+      doubt_of_pressures(mud_circuit(scene_, build_mesh(scene_, scene_.start.bit_depth + scene_.start.block_height)));
   if (!doubt.empty()) ROS_WARN_STREAM("pressures: " << doubt);
   if (rig.tight) ROS_WARN_STREAM("assembly: " << text_of(*rig.tight));
   if (parameters_.publish_clock && !parameters_.use_sim_time)

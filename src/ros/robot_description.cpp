@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/ros/robot_description.h"
 
 #include <tinyxml2.h>
@@ -19,7 +20,8 @@ struct Look
   const char* name;
   const char* rgba;
 };
-constexpr Look steel{"steel", "0.45 0.47 0.5 1"}, yellow{"yellow", "0.9 0.75 0.1 1"}, dark{"dark", "0.34 0.36 0.38 1"}, copper{"copper", "0.8 0.56 0.32 1"};
+constexpr Look steel{"steel", "0.45 0.47 0.5 1"}, yellow{"yellow", "0.9 0.75 0.1 1"}, dark{"dark", "0.34 0.36 0.38 1"},
+    copper{"copper", "0.8 0.56 0.32 1"};
 // of a derrick, as rviz' display of this package draws it [m]
 constexpr double floor_width = 9.0, leg_distance = 7.0, leg_width = 0.4, floor_thickness = 0.3;
 
@@ -95,7 +97,8 @@ void add_derrick(const std::string& floor, double height, Printer& out)
   open_link(floor, out);
   add_box({0.0, 0.0, -0.5 * floor_thickness}, {floor_width, floor_width, floor_thickness}, dark, out);
   for (const double x : {-0.5, 0.5})
-    for (const double y : {-0.5, 0.5}) add_box({x * leg_distance, y * leg_distance, 0.5 * height}, {leg_width, leg_width, height}, steel, out);
+    for (const double y : {-0.5, 0.5})
+      add_box({x * leg_distance, y * leg_distance, 0.5 * height}, {leg_width, leg_width, height}, steel, out);
   add_box({0.0, 0.0, height}, {leg_distance, leg_distance, leg_width}, steel, out);
   out.CloseElement();
 }
@@ -122,7 +125,8 @@ std::string robot_description(const Scene& scene, const std::string& frame_prefi
   out.PushHeader(false, true);
   out.OpenElement("robot");
   out.PushAttribute("name", "drill_rig");
-  const std::string floor = frame_prefix + "rig_floor", block = frame_prefix + "traveling_block", drive = frame_prefix + "top_drive";
+  const std::string floor = frame_prefix + "rig_floor", block = frame_prefix + "traveling_block",
+                    drive = frame_prefix + "top_drive";
   add_derrick(floor, scene.rig.hoisting.crown_height, out);
   open_link(block, out);
   add_box({0.0, 0.0, 3.8}, {1.2, 1.8, 1.6}, yellow, out);

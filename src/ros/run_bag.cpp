@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/ros/run_bag.h"
 
 #include <rosbag/bag.h>
@@ -151,7 +152,8 @@ void RunBag::add(const Simulator& simulator, bool due)
         w.begun = true;
         if (due) w.write_measurements();
         w.write_accuracy(simulator);
-        if (const Truth* companion = due && w.with_companion ? truth_of_companion(simulator) : nullptr) w.write_companion(*companion);
+        if (const Truth* companion = due && w.with_companion ? truth_of_companion(simulator) : nullptr)
+          w.write_companion(*companion);
         w.write_telemetry();
       });
 }

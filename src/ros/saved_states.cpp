@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/ros/saved_states.h"
 
 #include <algorithm>
@@ -70,7 +71,14 @@ Saved read_saved(const std::string& file, const Saved& present)
   const auto set = [&present](std::int64_t& stamp) { stamp = stamp != 0 ? present.stamp : 0; };
   set(content.commands.last);
   for (std::int64_t& stamp : content.commands.accepted) set(stamp);
-  return {std::make_shared<SimulatorState>(std::move(content.state)), content.player, content.playing, content.commands, snapshot.kernel, present.stamp, 0, present.start};
+  return {std::make_shared<SimulatorState>(std::move(content.state)),
+          content.player,
+          content.playing,
+          content.commands,
+          snapshot.kernel,
+          present.stamp,
+          0,
+          present.start};
 }
 
 void SavedStates::keep(const std::string& name, Saved saved)
@@ -81,15 +89,16 @@ void SavedStates::keep(const std::string& name, Saved saved)
   if (std::any_of(name.begin(), name.end(), [](unsigned char c) { return std::iscntrl(c) != 0; }))
     throw std::runtime_error("name has control characters; allowed is one line of text");
   if (saved_.size() >= most_states && saved_.count(name) == 0)
-    throw std::runtime_error("there are " + std::to_string(saved_.size()) + " states; allowed are " + std::to_string(most_states) +
-                             ": delete_state frees one");
+    throw std::runtime_error("there are " + std::to_string(saved_.size()) + " states; allowed are " +
+                             std::to_string(most_states) + ": delete_state frees one");
   saved.bytes = memory_of(*saved.state);
   std::size_t memory = saved.bytes;
   for (const auto& [other, kept] : saved_)
     if (other != name) memory += kept.bytes;
   if (memory > most_memory)
     throw std::runtime_error("the states saved would take " + std::to_string(memory >> 20) + " MiB; allowed is " +
-                             std::to_string(most_memory >> 20) + " MiB: delete_state frees one of " + std::to_string(saved_.size()));
+                             std::to_string(most_memory >> 20) + " MiB: delete_state frees one of " +
+                             std::to_string(saved_.size()));
   saved_.insert_or_assign(name, std::move(saved));
 }
 
@@ -102,8 +111,8 @@ std::map<std::string, Saved>::const_iterator SavedStates::at(const std::string& 
   for (auto entry = saved_.begin(); entry != saved_.end() && shown < names_shown; ++entry, ++shown)
     names += (shown == 0 ? "" : ", ") + entry->first;
   if (shown < saved_.size()) names += " and " + std::to_string(saved_.size() - shown) + " more";
-  throw std::runtime_error("there is no state " + name.substr(0, longest_name) + " of this rig; saved are: " +
-                           (names.empty() ? "none" : names));
+  throw std::runtime_error("there is no state " + name.substr(0, longest_name) +
+                           " of this rig; saved are: " + (names.empty() ? "none" : names));
 }
 
 const Saved& SavedStates::find(const std::string& name) const

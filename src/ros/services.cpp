@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/ros/services.h"
 
 #include <algorithm>
@@ -153,7 +154,8 @@ std::string Services::reset_well(const ResetWell::Request& request)
   scene_ = scene;
   running_ = next;
   if (!request.scene.empty()) off_bottom_ = off_bottom(scene_);
-  return "at the start of " + scene.name + ", bit at " + std::to_string(next.start.bit_depth) + " m" + forgotten + remarks_of(next);
+  return "at the start of " + scene.name + ", bit at " + std::to_string(next.start.bit_depth) + " m" + forgotten +
+         remarks_of(next);
 }
 
 std::string Services::load_survey(const LoadSurvey::Request& request)
@@ -164,7 +166,8 @@ std::string Services::load_survey(const LoadSurvey::Request& request)
   const std::string forgotten = forget_states_of_another(next);
   scene_ = running_ = next;
   return "a well of " + std::to_string(next.well.survey.size()) + " stations, hole depth " +
-         std::to_string(next.well.hole_depth) + " m, bit at " + std::to_string(next.start.bit_depth) + " m" + forgotten + remarks_of(next);
+         std::to_string(next.well.hole_depth) + " m, bit at " + std::to_string(next.start.bit_depth) + " m" + forgotten +
+         remarks_of(next);
 }
 
 std::string Services::forget_states_of_another(const Scene& next)
@@ -271,7 +274,8 @@ Saved Services::present_state(bool to_go_on_from)
       {
         const RunningRig& rig = loop.rig();
         if (to_go_on_from && rig.failed) throw Refusal("the last frame failed: there is no good state to go on from");
-        saved = {rig.simulator->save(), rig.player, rig.playing, rig.commands, rig.simulator->statistics().kernel, loop.time().stamp(), 0, {}};
+        saved = {rig.simulator->save(), rig.player, rig.playing, rig.commands, rig.simulator->statistics().kernel,
+                 loop.time().stamp(),   0,          {}};
       });
   saved.start = scene_start(running_);
   return saved;
@@ -291,7 +295,8 @@ std::string Services::restore_state(const RestoreState::Request& request)
       });
   std::string restored = "restored " + (request.file.empty() ? request.name : request.file);
   if (kernel == saved.kernel) return restored;
-  return restored + ", saved with kernel " + name_of(saved.kernel) + ": results with kernel " + name_of(kernel) + " differ in rounding";
+  return restored + ", saved with kernel " + name_of(saved.kernel) + ": results with kernel " + name_of(kernel) +
+         " differ in rounding";
 }
 
 std::string Services::list_states(ListStates::Response& response)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/ros/simulation_loop.h"
 
 #include "drill_rig_sim/sim/run.h"
@@ -7,9 +8,10 @@ namespace drill_rig_sim
 namespace
 {
 constexpr std::size_t spare_points = 4096;
-constexpr std::int64_t most_behind = 1000000000;  // of the next frame of a rig that follows; far less than Timekeeper::longest_jump, where it would leave out frames [ns]
+constexpr std::int64_t most_behind = 1000000000;      // of the next frame of a rig that follows; far less than
+                                                      // Timekeeper::longest_jump, where it would leave out frames [ns]
 constexpr std::int64_t longest_silence = 3000000000;  // of a follower that is waited for within a step [wall ns]
-constexpr std::int64_t told_again = 500000000;  // wall time after which a rig_state without an answer is sent again [ns]
+constexpr std::int64_t told_again = 500000000;        // wall time after which a rig_state without an answer is sent again [ns]
 }  // namespace
 
 RunningRig::RunningRig(std::unique_ptr<Simulator> s, bool play)
@@ -40,7 +42,10 @@ SimulationLoop::SimulationLoop(const Parameters& parameters, std::unique_ptr<Sim
   reserve_memory();
 }
 
-SimulationLoop::~SimulationLoop() { join(); }
+SimulationLoop::~SimulationLoop()
+{
+  join();
+}
 
 void SimulationLoop::start()
 {
@@ -114,7 +119,8 @@ void SimulationLoop::step_on_commands() noexcept
   if (mailbox_.answered(parameters_.step_on_commands, time_.stamp())) frames_to_go_ = parameters_.frames_of_state();
 }
 
-/// A controller that has come since, or has lost the last rig_state, is told it again now and then: it would wait for ever, and the rig for it.
+/// A controller that has come since, or has lost the last rig_state, is told it again now and then: it would wait for ever, and
+/// the rig for it.
 void SimulationLoop::wait_while_time_stands() noexcept
 {
   const bool tells = parameters_.step_on_commands != 0 && run_state() == RunState::waiting && !halted_;
@@ -179,7 +185,8 @@ template CommandResult SimulationLoop::accept(const TopDriveSetpoint&, CommandKi
 template CommandResult SimulationLoop::accept(const PumpSetpoint&, CommandKind) noexcept;
 template CommandResult SimulationLoop::accept(const SteeringSetpoint&, CommandKind) noexcept;
 
-// A single command stands until the next one, and so does the last one of a stream where it stops what it moved: a driller's hand goes elsewhere.
+// A single command stands until the next one, and so does the last one of a stream where it stops what it moved: a driller's hand
+// goes elsewhere.
 void SimulationLoop::watch_stream(const WinchSetpoint& c) noexcept
 {
   const bool is_stream = rig_.winch_stream.take(rig_.simulator->truth().time, parameters_.command_timeout);
@@ -218,7 +225,8 @@ RunState SimulationLoop::run_state() const noexcept
 
 void SimulationLoop::set_paused(bool paused) noexcept
 {
-  if (paused && !paused_ && profile_stamp_ != time_.stamp()) subscriptions_.profile_missing = true;  // the last one is older than what stands now
+  if (paused && !paused_ && profile_stamp_ != time_.stamp())
+    subscriptions_.profile_missing = true;  // the last one is older than what stands now
   paused_ = paused;
   time_.restart(steady_now());
   hand_over({});  // for the diagnostics and rig_state's run_state
@@ -240,7 +248,8 @@ std::unique_ptr<Simulator> SimulationLoop::replace(std::unique_ptr<Simulator> si
 
 void SimulationLoop::restart_cadences() noexcept
 {
-  for (Cadence* cadence : {&state_cadence_, &accuracy_cadence_, &profile_cadence_, &tf_cadence_, &marker_cadence_, &well_cadence_})
+  for (Cadence* cadence :
+       {&state_cadence_, &accuracy_cadence_, &profile_cadence_, &tf_cadence_, &marker_cadence_, &well_cadence_})
     cadence->restart();
 }
 

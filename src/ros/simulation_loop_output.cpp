@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What the simulation thread hands to the publishers.
 #include "drill_rig_sim/ros/simulation_loop.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/ros/state_publisher.h"
 
 #include <utility>
@@ -8,7 +9,8 @@
 
 namespace drill_rig_sim
 {
-StatePublisher::StatePublisher(ros::NodeHandle& node, const Parameters& parameters, Subscriptions& subscriptions, std::function<void()> ask_for_picture)
+StatePublisher::StatePublisher(ros::NodeHandle& node, const Parameters& parameters, Subscriptions& subscriptions,
+                               std::function<void()> ask_for_picture)
     : floor_(parameters.floor()),
       hook_load_(node, "hook_load", parameters.queue()),
       torque_(node, "torque", parameters.queue()),
@@ -25,8 +27,8 @@ StatePublisher::StatePublisher(ros::NodeHandle& node, const Parameters& paramete
       toolface_(node.advertise<MwdToolface>("downhole/toolface", parameters.queue())),
       inclination_(node.advertise<MwdInclination>("downhole/inclination", parameters.queue())),
       dynamics_(node.advertise<DownholeDynamics>("downhole/dynamics", parameters.queue())),
-      drillstring_(node, "drillstring_state", parameters.queue(), {subscriptions.profile, subscriptions.profile_missing, subscriptions.time_stands},
-                    std::move(ask_for_picture))
+      drillstring_(node, "drillstring_state", parameters.queue(),
+                   {subscriptions.profile, subscriptions.profile_missing, subscriptions.time_stands}, std::move(ask_for_picture))
 {
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "step_request.h"
 
 #include <cmath>
@@ -26,7 +27,8 @@ std::uint32_t frames_in(double seconds, double rate)
   const bool whole = std::isfinite(frames) && std::abs(frames - std::round(frames)) < rounding * std::fmax(1.0, frames);
   if (whole && frames > 0.5 && frames < most_frames_of_step + 0.5) return static_cast<std::uint32_t>(std::llround(frames));
   std::ostringstream out;
-  out << "seconds must be a whole number of frames of " << 1.0 / rate << " s, at most " << most_frames_of_step / rate << " s (got " << seconds << " s)";
+  out << "seconds must be a whole number of frames of " << 1.0 / rate << " s, at most " << most_frames_of_step / rate
+      << " s (got " << seconds << " s)";
   throw Refusal(out.str());
 }
 }  // namespace

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SRC_ROS_STEP_REQUEST_H
 #define DRILL_RIG_SIM_SRC_ROS_STEP_REQUEST_H
 
@@ -8,7 +9,8 @@
 
 namespace drill_rig_sim
 {
-/// Frames that a step asks for, by their number or their time, at `rate` [1/s]. Throws Refusal for what is not allowed of frames, time and commands.
+/// Frames that a step asks for, by their number or their time, at `rate` [1/s]. Throws Refusal for what is not allowed of frames,
+/// time and commands.
 std::uint32_t frames_of(const StepSimulation::Request& request, double rate);
 
 /// A rig whose last frame has failed is refused.

@@ -1,4 +1,6 @@
-// A controller in C++: the front page's autodriller (launch/autodriller.py) as a node with parameters. It follows rig_state and commands winch and top drive.
+// SPDX-License-Identifier: BSD-3-Clause
+// A controller in C++: the front page's autodriller (launch/autodriller.py) as a node with parameters. It follows rig_state and
+// commands winch and top drive.
 #include <drill_rig_sim/RigState.h>
 #include <drill_rig_sim/TopDriveCommand.h>
 #include <drill_rig_sim/WinchCommand.h>
@@ -64,10 +66,10 @@ private:
     return false;
   }
 
-  double weight_;     // wanted on bit [N]
-  double most_feed_;  // [m/s]
-  double gain_;       // [m/s per N s]
-  double tag_speed_;  // of the block until there is weight [m/s]
+  double weight_;      // wanted on bit [N]
+  double most_feed_;   // [m/s]
+  double gain_;        // [m/s per N s]
+  double tag_speed_;   // of the block until there is weight [m/s]
   double feed_ = 0.0;  // of the block, downwards [m/s]
   drill_rig_sim::TopDriveCommand turn_;
   ros::NodeHandle rig_;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "block_bar.h"
 
 #include <QPainter>
@@ -27,7 +28,10 @@ void BlockBar::set_units(UnitSystem system)
   show_place(place_);
 }
 
-QString BlockBar::height_text() const { return shown_text(place_.height, Dimension::length, system_); }
+QString BlockBar::height_text() const
+{
+  return shown_text(place_.height, Dimension::length, system_);
+}
 
 QString BlockBar::way_text() const
 {
@@ -66,7 +70,7 @@ void BlockBar::paint_mast(QPainter& painter, const QRect& mast)
   }
   const double here = y(place_.height);
   painter.setPen(QPen(QColor(look::faint), 2));
-  painter.drawLine(QPointF(mast.center().x(), mast.top()), QPointF(mast.center().x(), here));       // the lines
+  painter.drawLine(QPointF(mast.center().x(), mast.top()), QPointF(mast.center().x(), here));  // the lines
   painter.setPen(QPen(QColor(look::accent), 3));
   painter.drawLine(QPointF(mast.center().x(), here), QPointF(mast.center().x(), mast.bottom() + 1));  // the pipe
   const QColor color(place_.stale ? look::off : look::text);
@@ -82,7 +86,9 @@ void BlockBar::paint_mast(QPainter& painter, const QRect& mast)
 
 void BlockBar::paint_lines(QPainter& painter, const QRect& area)
 {
-  const QString arrow = place_.velocity > 5e-4 ? QString(QChar(0x25b2)) : place_.velocity < -5e-4 ? QString(QChar(0x25bc)) : QString("=");
+  const QString arrow = place_.velocity > 5e-4    ? QString(QChar(0x25b2))
+                        : place_.velocity < -5e-4 ? QString(QChar(0x25bc))
+                                                  : QString("=");
   const struct
   {
     QString text;

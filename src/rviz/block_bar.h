@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_RVIZ_BLOCK_BAR_H
 #define DRILL_RIG_SIM_RVIZ_BLOCK_BAR_H
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "chart_page.h"
 
 #include <qwt_plot.h>
@@ -22,8 +23,8 @@ namespace drill_rig_sim::console
 {
 namespace
 {
-constexpr std::size_t capacity = 36000;                // of either axis: two hours, or 1.8 km
-constexpr double by_time = 0.2, by_depth = 0.05;       // between samples [s], [m]
+constexpr std::size_t capacity = 36000;                  // of either axis: two hours, or 1.8 km
+constexpr double by_time = 0.2, by_depth = 0.05;         // between samples [s], [m]
 constexpr double shortest_time = 5.0, shallowest = 0.2;  // that a chart shows [s], [m]
 }  // namespace
 
@@ -85,10 +86,13 @@ void ChartPage::make_tools()
   values_ = add_tool("Values", "values", "What is shown");
   values_->setPopupMode(QToolButton::InstantPopup);
   make_menu();
-  connect(add_tool("Scales", "scales", "Scales that do not follow the values"), &QToolButton::clicked, this, &ChartPage::ask_for_scales);
+  connect(add_tool("Scales", "scales", "Scales that do not follow the values"), &QToolButton::clicked, this,
+          &ChartPage::ask_for_scales);
   tools_->addStretch(1);
-  connect(add_tool("CSV", "save csv", "Save all that was recorded"), &QToolButton::clicked, this, [this] { ask_for_file("csv"); });
-  connect(add_tool("PNG", "save png", "Save a picture of the chart"), &QToolButton::clicked, this, [this] { ask_for_file("png"); });
+  connect(add_tool("CSV", "save csv", "Save all that was recorded"), &QToolButton::clicked, this,
+          [this] { ask_for_file("csv"); });
+  connect(add_tool("PNG", "save png", "Save a picture of the chart"), &QToolButton::clicked, this,
+          [this] { ask_for_file("png"); });
 }
 
 void ChartPage::make_menu()
@@ -197,7 +201,8 @@ void ChartPage::set_scales(const std::map<Quantity, FixedScale>& scales)
 void ChartPage::ask_for_scales()
 {
   std::vector<ChartScales::Row> rows;
-  for (const ChartTrack* track : tracks_) rows.push_back({track->quantity(), scales_.count(track->quantity()) > 0, track->scale()});
+  for (const ChartTrack* track : tracks_)
+    rows.push_back({track->quantity(), scales_.count(track->quantity()) > 0, track->scale()});
   auto* dialog = new ChartScales(rows, system_, this);
   connect(dialog, &ChartScales::chosen, this,
           [this](const std::map<Quantity, FixedScale>& scales)
@@ -208,9 +213,15 @@ void ChartPage::ask_for_scales()
   dialog->open();
 }
 
-void ChartPage::set_span(Axis axis, double span) { (axis == Axis::time ? by_time_window_ : by_depth_window_).set_span(span); }
+void ChartPage::set_span(Axis axis, double span)
+{
+  (axis == Axis::time ? by_time_window_ : by_depth_window_).set_span(span);
+}
 
-double ChartPage::span(Axis axis) const { return (axis == Axis::time ? by_time_window_ : by_depth_window_).span(); }
+double ChartPage::span(Axis axis) const
+{
+  return (axis == Axis::time ? by_time_window_ : by_depth_window_).span();
+}
 
 void ChartPage::record(double time, double depth, const Values& values)
 {
@@ -334,6 +345,9 @@ bool ChartPage::save_csv(const QString& file) const
   return out.good();
 }
 
-bool ChartPage::save_png(const QString& file) { return strip_widget_->grab().save(file, "PNG"); }
+bool ChartPage::save_png(const QString& file)
+{
+  return strip_widget_->grab().save(file, "PNG");
+}
 
 }  // namespace drill_rig_sim::console

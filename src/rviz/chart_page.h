@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_RVIZ_CHART_PAGE_H
 #define DRILL_RIG_SIM_RVIZ_CHART_PAGE_H
 
@@ -17,7 +18,8 @@ class QToolButton;
 
 namespace drill_rig_sim::console
 {
-/// The strip chart: any quantities, a track each, against time (to the right or downwards) or depth. The wheel zooms, dragging goes back and pauses, the mouse is the cursor.
+/// The strip chart: any quantities, a track each, against time (to the right or downwards) or depth. The wheel zooms, dragging
+/// goes back and pauses, the mouse is the cursor.
 class ChartPage : public QWidget
 {
   Q_OBJECT

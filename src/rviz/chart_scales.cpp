@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "chart_scales.h"
 
 #include <QCheckBox>
@@ -25,7 +26,8 @@ ChartScales::ChartScales(const std::vector<Row>& rows, UnitSystem system, QWidge
   {
     const QuantityRow& quantity = row_of(row.quantity);
     const QString key = quantity.key;
-    Widgets w{row.quantity, make_check(quantity.label, "chart fixed " + key, this), new UnitBox("chart from " + key, quantity.dimension, -1e12, 1e12, row.scale.low, this),
+    Widgets w{row.quantity, make_check(quantity.label, "chart fixed " + key, this),
+              new UnitBox("chart from " + key, quantity.dimension, -1e12, 1e12, row.scale.low, this),
               new UnitBox("chart to " + key, quantity.dimension, -1e12, 1e12, row.scale.high, this)};
     w.fixed->setChecked(row.fixed);
     const int n = grid->rowCount();

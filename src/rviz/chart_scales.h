@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_RVIZ_CHART_SCALES_H
 #define DRILL_RIG_SIM_RVIZ_CHART_SCALES_H
 
@@ -28,7 +29,8 @@ public:
   ChartScales(const std::vector<Row>& rows, UnitSystem system, QWidget* parent);
 
 Q_SIGNALS:
-  /// The fixed ones, after OK. A scale whose ends are the wrong way round has them exchanged; one without any length is not fixed.
+  /// The fixed ones, after OK. A scale whose ends are the wrong way round has them exchanged; one without any length is not
+  /// fixed.
   void chosen(const std::map<Quantity, FixedScale>& scales);
 
 private:

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "chart_track.h"
 
 #include <qwt_plot.h>
@@ -39,7 +40,8 @@ public:
   }
 
 protected:
-  void drawSeries(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& y, const QRectF& canvas, int from, int to) const override
+  void drawSeries(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& y, const QRectF& canvas, int from,
+                  int to) const override
   {
     if (to < 0) to = static_cast<int>(dataSize()) - 1;
     for (std::size_t n = 0; n < begins_.size(); ++n)
@@ -136,12 +138,14 @@ void ChartTrack::set_axis(Axis axis, bool downwards, bool labelled)
   // an axis without numbers still keeps their margins: the tracks stand in line
   plot_->enableAxis(QwtPlot::xBottom, true);
   plot_->enableAxis(QwtPlot::yLeft, true);
-  for (const auto part : {QwtScaleDraw::Labels, QwtScaleDraw::Ticks, QwtScaleDraw::Backbone}) plot_->axisScaleDraw(common)->enableComponent(part, labelled);
+  for (const auto part : {QwtScaleDraw::Labels, QwtScaleDraw::Ticks, QwtScaleDraw::Backbone})
+    plot_->axisScaleDraw(common)->enableComponent(part, labelled);
   plot_->axisWidget(QwtPlot::xBottom)->setMinBorderDist(downwards ? 4 : end_margin, downwards ? 4 : end_margin);
   plot_->axisWidget(QwtPlot::yLeft)->setMinBorderDist(6, 6);
   plot_->setAxisMaxMajor(QwtPlot::xBottom, downwards ? 3 : 5);
   plot_->setAxisMaxMajor(QwtPlot::yLeft, downwards ? 12 : 4);
-  for (const int side : {int(QwtPlot::xBottom), int(QwtPlot::yLeft)}) plot_->axisScaleDraw(side)->setTickLength(QwtScaleDiv::MinorTick, 0);
+  for (const int side : {int(QwtPlot::xBottom), int(QwtPlot::yLeft)})
+    plot_->axisScaleDraw(side)->setTickLength(QwtScaleDiv::MinorTick, 0);
   title_->setFixedHeight((downwards ? 3 : 1) * title_->fontMetrics().lineSpacing() + 2);
   title_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
   title_->setMinimumWidth(10);  // a track does not widen with its number
@@ -149,17 +153,27 @@ void ChartTrack::set_axis(Axis axis, bool downwards, bool labelled)
   plot_->setMinimumSize(downwards ? 50 : 120, downwards ? 120 : 50);
 }
 
-void ChartTrack::set_units(UnitSystem system) { system_ = system; }
+void ChartTrack::set_units(UnitSystem system)
+{
+  system_ = system;
+}
 
-double ChartTrack::shown_place(double place) const { return axis_ == Axis::time ? place : to_shown(place, Dimension::length, system_); }
+double ChartTrack::shown_place(double place) const
+{
+  return axis_ == Axis::time ? place : to_shown(place, Dimension::length, system_);
+}
 
 double ChartTrack::place_at(const QPoint& point) const
 {
-  const double place = downwards_ ? plot_->invTransform(QwtPlot::yLeft, point.y()) : plot_->invTransform(QwtPlot::xBottom, point.x());
+  const double place =
+      downwards_ ? plot_->invTransform(QwtPlot::yLeft, point.y()) : plot_->invTransform(QwtPlot::xBottom, point.x());
   return axis_ == Axis::time ? place : to_si(place, Dimension::length, system_);
 }
 
-int ChartTrack::value_side() const { return downwards_ ? QwtPlot::xBottom : QwtPlot::yLeft; }
+int ChartTrack::value_side() const
+{
+  return downwards_ ? QwtPlot::xBottom : QwtPlot::yLeft;
+}
 
 FixedScale ChartTrack::scale() const
 {
@@ -197,7 +211,8 @@ void ChartTrack::show_cursor(const History& history, double place)
 {
   const QuantityRow& row = row_of(quantity_);
   double value = missing;
-  if (!history.empty()) value = history[std::isfinite(place) ? history.nearest(place) : history.size() - 1].value[index_of(quantity_)];
+  if (!history.empty())
+    value = history[std::isfinite(place) ? history.nearest(place) : history.size() - 1].value[index_of(quantity_)];
   // downwards a track is narrow: name, value and place one below the other
   const QString apart = downwards_ ? "\n" : "  ";
   QString text = row.label + apart + shown_text(value, row.dimension, system_);

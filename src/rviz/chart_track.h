@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_RVIZ_CHART_TRACK_H
 #define DRILL_RIG_SIM_RVIZ_CHART_TRACK_H
 
@@ -24,8 +25,8 @@ struct FixedScale
   double low, high;
 };
 
-/// One quantity of the strip chart: a plot by Qwt under a line with its name and the value at the cursor, or the latest. Its axis runs to the
-/// right or downwards. Its accessible name is "chart KEY".
+/// One quantity of the strip chart: a plot by Qwt under a line with its name and the value at the cursor, or the latest. Its axis
+/// runs to the right or downwards. Its accessible name is "chart KEY".
 class ChartTrack : public QWidget
 {
   Q_OBJECT

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "controls.h"
 
 #include <QGridLayout>
@@ -8,7 +9,8 @@
 
 namespace drill_rig_sim::console
 {
-Controls::Controls(const QString& title, RigLink& link, QWidget* parent) : QGroupBox(title, parent), link_(link), grid_(new QGridLayout(this))
+Controls::Controls(const QString& title, RigLink& link, QWidget* parent)
+    : QGroupBox(title, parent), link_(link), grid_(new QGridLayout(this))
 {
   setAccessibleName("group " + title.toLower());
   grid_->setContentsMargins(6, 4, 6, 5);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_RVIZ_CONTROLS_H
 #define DRILL_RIG_SIM_RVIZ_CONTROLS_H
 
@@ -26,7 +27,8 @@ public:
 protected:
   /// A box for a number that follows the units.
   UnitBox* add_box(const QString& name, Dimension dimension, double least, double most, double value);
-  /// A box of a set point. While it has the focus, Enter applies the set points of the group and Escape takes all their edits back.
+  /// A box of a set point. While it has the focus, Enter applies the set points of the group and Escape takes all their edits
+  /// back.
   UnitBox* add_set_point(const QString& name, Dimension dimension, double least, double most, double value);
   /// Another widget of a set point, for Enter and Escape.
   void watch_keys(QWidget* widget) { widget->installEventFilter(this); }

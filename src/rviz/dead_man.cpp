@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "dead_man.h"
 
 #include <QGridLayout>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_RVIZ_DEAD_MAN_H
 #define DRILL_RIG_SIM_RVIZ_DEAD_MAN_H
 
@@ -8,8 +9,9 @@ class QTimer;
 
 namespace drill_rig_sim::console
 {
-/// Two buttons that act as long as they are held, by the mouse, the space bar, or the arrows up and down: `hold` comes ten times a second, and `hold(0)`
-/// once when the button is let go, when the focus or the window is lost, and when they are hidden or closed.
+/// Two buttons that act as long as they are held, by the mouse, the space bar, or the arrows up and down: `hold` comes ten times
+/// a second, and `hold(0)` once when the button is let go, when the focus or the window is lost, and when they are hidden or
+/// closed.
 class DeadMan : public QWidget
 {
   Q_OBJECT

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "derrick_scene.h"
 
 #include <OgreSceneManager.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SRC_RVIZ_DRAWN_RIG_H
 #define DRILL_RIG_SIM_SRC_RVIZ_DRAWN_RIG_H
 
@@ -27,7 +28,8 @@ struct DrawnRig
   Eigen::Vector3d bit_face() const;
   /// Measured depth of the bit's face [m]. Where there is a string.
   double bit_md() const noexcept { return string->md.front() + string->from_bit.front(); }
-  /// The hole reaches the bit, which may have come here before the hole that it has drilled: straight on, in whole centimetres. Whether it has grown.
+  /// The hole reaches the bit, which may have come here before the hole that it has drilled: straight on, in whole centimetres.
+  /// Whether it has grown.
   bool reach_bit();
   /// What stands before frames' names.
   std::string prefix() const;

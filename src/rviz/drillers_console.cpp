@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drillers_console.h"
 
 #include <QLabel>
@@ -31,8 +32,8 @@ using namespace console;
 
 namespace
 {
-constexpr int between_ticks = 100;       // gauges [ms]
-constexpr int ticks_of_the_chart = 3;    // it is drawn at every third
+constexpr int between_ticks = 100;     // gauges [ms]
+constexpr int ticks_of_the_chart = 3;  // it is drawn at every third
 constexpr int answer_lines = 2;
 constexpr int wide_enough = 820;  // for the gauges beside the other pages [px]
 
@@ -120,11 +121,13 @@ void DrillersConsole::make_pages()
   settings_ = new SettingsPage(tabs_);
   winch_ = new WinchControls(*link_, tabs_);
   // who holds the winch watches the string
-  const std::vector<Quantity> watched{Quantity::hook_load,           Quantity::surface_wob, Quantity::torque, Quantity::rop,
-                                      Quantity::stand_pipe_pressure, Quantity::block_height};
-  const std::vector<Controls*> of_the_string{winch_, new TopDriveControls(*link_, tabs_), new MudControls(*link_, tabs_), new SteeringControls(*link_, tabs_)};
-  const std::vector<Controls*> of_the_rig{new TimeControls(*link_, tabs_), new PipeControls(*link_, tabs_), new WellControls(*link_, tabs_),
-                                          new FaultControls(*link_, tabs_), new SnapshotControls(*link_, tabs_)};
+  const std::vector<Quantity> watched{Quantity::hook_load, Quantity::surface_wob,         Quantity::torque,
+                                      Quantity::rop,       Quantity::stand_pipe_pressure, Quantity::block_height};
+  const std::vector<Controls*> of_the_string{winch_, new TopDriveControls(*link_, tabs_), new MudControls(*link_, tabs_),
+                                             new SteeringControls(*link_, tabs_)};
+  const std::vector<Controls*> of_the_rig{new TimeControls(*link_, tabs_), new PipeControls(*link_, tabs_),
+                                          new WellControls(*link_, tabs_), new FaultControls(*link_, tabs_),
+                                          new SnapshotControls(*link_, tabs_)};
   add_page(gauges_, "Gauges");
   add_page(chart_, "Chart");
   add_page(make_control_page("page drill", gauges_->make_strip("watch", watched, tabs_), of_the_string), "Drill");
@@ -238,7 +241,9 @@ void DrillersConsole::show_state()
   {
     const bool bad = now == LinkState::absent || now == LinkState::no_master || now == LinkState::failed;
     if (state_ != LinkState::hidden && now != LinkState::hidden)
-      events_->log("simulator: " + QString(name_of(now)).toLower(), bad ? Level::alarm : now == LinkState::late ? Level::caution : Level::normal);
+      events_->log("simulator: " + QString(name_of(now)).toLower(), bad                      ? Level::alarm
+                                                                    : now == LinkState::late ? Level::caution
+                                                                                             : Level::normal);
     if (!hears(now)) winch_->let_go();
     if (now == LinkState::absent || now == LinkState::late) chart_->interrupt();
     state_ = now;
@@ -266,8 +271,10 @@ void DrillersConsole::show_news()
   const std::vector<RigTruthConstPtr> truths = link_->take_truths();
   if (!truths.empty()) truth_ = truths.back();
   events_->take(states, truths);
-  events_->show_state(stale ? nullptr : news.state.get(), stale ? nullptr : truth_.get(), hears(state_) ? news.diagnosis : Diagnosis());
-  tabs_->setTabText(tabs_->indexOf(events_), events_->warnings() > 0 ? QStringLiteral("Events (%1)").arg(events_->warnings()) : QString("Events"));
+  events_->show_state(stale ? nullptr : news.state.get(), stale ? nullptr : truth_.get(),
+                      hears(state_) ? news.diagnosis : Diagnosis());
+  tabs_->setTabText(tabs_->indexOf(events_),
+                    events_->warnings() > 0 ? QStringLiteral("Events (%1)").arg(events_->warnings()) : QString("Events"));
   header_->show_warning(events_->gravest(), events_->gravest_level());
 }
 
@@ -306,7 +313,8 @@ void DrillersConsole::load(const rviz::Config& config)
   {
     FixedScale scale{};
     const rviz::Config ends = scales.isValid() ? scales.mapGetChild(row.key) : rviz::Config();
-    if (ends.isValid() && get_number(ends, "From", scale.low) && get_number(ends, "To", scale.high) && scale.high > scale.low) fixed[row.quantity] = scale;
+    if (ends.isValid() && get_number(ends, "From", scale.low) && get_number(ends, "To", scale.high) && scale.high > scale.low)
+      fixed[row.quantity] = scale;
   }
   chart_->set_scales(fixed);
   if (config.mapGetString("Chart Values", &text))

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_RVIZ_DRILLERS_CONSOLE_H
 #define DRILL_RIG_SIM_RVIZ_DRILLERS_CONSOLE_H
 
@@ -27,7 +28,8 @@ class RigLink;
 class WinchControls;
 }  // namespace console
 
-/// What a driller watches and works with, as a panel of rviz. It listens to one rig while it is shown, and to nothing while it is hidden.
+/// What a driller watches and works with, as a panel of rviz. It listens to one rig while it is shown, and to nothing while it is
+/// hidden.
 class DrillersConsole : public rviz::Panel
 {
   Q_OBJECT
@@ -71,7 +73,7 @@ private:
   QLabel* answer_;
   console::LinkState state_ = console::LinkState::hidden;
   boost::shared_ptr<const RigTruth> truth_;  // the latest
-  const void* limits_ = nullptr;  // the last that were shown
+  const void* limits_ = nullptr;             // the last that were shown
   int ticks_ = 0;
 };
 

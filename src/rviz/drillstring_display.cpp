@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drillstring_display.h"
 
 #include <OgreSceneManager.h>
@@ -38,7 +39,9 @@ std::string beside(const std::string& topic, const std::string& name)
 }
 }  // namespace
 
-DrillstringDisplay::DrillstringDisplay() : properties_(std::make_unique<DrillstringProperties>(this, this)) {}
+DrillstringDisplay::DrillstringDisplay() : properties_(std::make_unique<DrillstringProperties>(this, this))
+{
+}
 
 DrillstringDisplay::~DrillstringDisplay()
 {
@@ -47,7 +50,8 @@ DrillstringDisplay::~DrillstringDisplay()
 
 void DrillstringDisplay::onInitialize()
 {
-  // rviz may draw once more after its window is closed, the likelier the longer a frame takes; Mesa's software renderer then clears beyond a picture of no size
+  // rviz may draw once more after its window is closed, the likelier the longer a frame takes; Mesa's software renderer then
+  // clears beyond a picture of no size
   if (auto* manager = dynamic_cast<rviz::VisualizationManager*>(context_))
     connect(qApp, &QGuiApplication::lastWindowClosed, manager, [manager] { manager->stopUpdate(); });
   options_ = properties_->options();
@@ -178,7 +182,8 @@ void DrillstringDisplay::hear_path(const nav_msgs::Path::ConstPtr& m)
   if (!problem.empty()) return setStatusStd(StatusProperty::Error, "Well", "refused: " + problem);
   const OwnWork work(cost_);
   HoleAxis axis = to_hole_axis(*m);
-  if (model_.axis && properties_->follow() && (axis.points().back().position - model_.axis->points().back().position).norm() > another_well)
+  if (model_.axis && properties_->follow() &&
+      (axis.points().back().position - model_.axis->points().back().position).norm() > another_well)
     camera_due_ = true;
   model_.axis = std::move(axis);
   model_.reach_bit();
@@ -282,7 +287,8 @@ void DrillstringDisplay::turn_parts()
         const auto t = look_up(part);
         if (!t) return std::nullopt;
         const auto& q = t->rotation;
-        return Ogre::Quaternion(static_cast<float>(q.w), static_cast<float>(q.x), static_cast<float>(q.y), static_cast<float>(q.z));
+        return Ogre::Quaternion(static_cast<float>(q.w), static_cast<float>(q.x), static_cast<float>(q.y),
+                                static_cast<float>(q.z));
       });
   if (!options_.derrick) return;
   if (const auto block = look_up("traveling_block")) derrick_scene_->move_block(block->translation.z);

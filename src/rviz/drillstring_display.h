@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SRC_RVIZ_DRILLSTRING_DISPLAY_H
 #define DRILL_RIG_SIM_SRC_RVIZ_DRILLSTRING_DISPLAY_H
 
@@ -33,8 +34,9 @@ class RulerScene;
 class StringScene;
 class WellScene;
 
-/// The drillstring in its well. Hears drillstring_state and, beside it in the same namespace, rig_description and trajectory, only while it is enabled;
-/// how bit, blades and block stand it takes from TF. A message that cannot be drawn is refused, and the status says why.
+/// The drillstring in its well. Hears drillstring_state and, beside it in the same namespace, rig_description and trajectory,
+/// only while it is enabled; how bit, blades and block stand it takes from TF. A message that cannot be drawn is refused, and the
+/// status says why.
 class DrillstringDisplay : public rviz::Display
 {
   Q_OBJECT
@@ -45,8 +47,8 @@ public:
   void setTopic(const QString& topic, const QString& datatype) override;
   void update(float wall_dt, float ros_dt) override;
   void reset() override;
-  /// Shows the numbers of the place on the string that a ray of the fixed frame meets, or is at most `slope` times its distance from: until another is
-  /// picked. Where there is none, shows none and returns false.
+  /// Shows the numbers of the place on the string that a ray of the fixed frame meets, or is at most `slope` times its distance
+  /// from: until another is picked. Where there is none, shows none and returns false.
   bool probe(const Ogre::Ray& ray, double slope);
 
 protected:

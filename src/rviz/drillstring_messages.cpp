@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drillstring_messages.h"
 
 #include <Eigen/Geometry>
@@ -83,7 +84,8 @@ std::string problem_of(const nav_msgs::Path& m)
   for (const geometry_msgs::PoseStamped& p : m.poses)
   {
     const double norm = to_eigen(p.pose.orientation).norm();
-    if (!to_vector(p.pose.position).allFinite() || !std::isfinite(norm) || norm < 1e-6) return "the path holds a pose that is not finite";
+    if (!to_vector(p.pose.position).allFinite() || !std::isfinite(norm) || norm < 1e-6)
+      return "the path holds a pose that is not finite";
   }
   return {};
 }

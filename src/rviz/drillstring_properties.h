@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SRC_RVIZ_DRILLSTRING_PROPERTIES_H
 #define DRILL_RIG_SIM_SRC_RVIZ_DRILLSTRING_PROPERTIES_H
 
@@ -42,8 +43,8 @@ private:
   rviz::EnumProperty *coloring_, *camera_, *wall_;
   rviz::FloatProperty *full_scale_, *exaggeration_, *force_scale_, *cased_to_;
   rviz::IntProperty* sides_;
-  rviz::BoolProperty *true_diameter_, *follow_, *string_, *blades_, *layers_, *forces_, *plan_, *stations_, *trail_, *ruler_, *parts_, *derrick_,
-      *legend_;
+  rviz::BoolProperty *true_diameter_, *follow_, *string_, *blades_, *layers_, *forces_, *plan_, *stations_, *trail_, *ruler_,
+      *parts_, *derrick_, *legend_;
 };
 
 }  // namespace drill_rig_sim

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What the display tells: statuses, legend, the numbers of a place; and where it puts the camera.
 #include <OgreCamera.h>
 #include <OgreRay.h>
@@ -29,7 +30,7 @@ namespace
 using rviz::StatusProperty;
 
 constexpr double coarse_pixel = 0.3;  // from this size of a pixel on little detail is drawn [m]
-constexpr double old_age = 2.0;  // of the last message, from which on the status warns [s]
+constexpr double old_age = 2.0;       // of the last message, from which on the status warns [s]
 
 QString number(double value, int digits, const char* unit)
 {
@@ -41,7 +42,8 @@ using Rows = std::vector<std::pair<QString, QString>>;
 /// What a legend's colours mean, in a line.
 QString in_words(const Legend& legend)
 {
-  if (legend.classes.empty()) return QString("%1, %2 to %3").arg(legend.title).arg(legend.scale.low(), 0, 'g', 4).arg(legend.scale.high(), 0, 'g', 4);
+  if (legend.classes.empty())
+    return QString("%1, %2 to %3").arg(legend.title).arg(legend.scale.low(), 0, 'g', 4).arg(legend.scale.high(), 0, 'g', 4);
   QStringList names;
   for (const auto& [name, color] : legend.classes) names << name;
   return legend.title + ": " + names.join(", ");
@@ -76,8 +78,8 @@ void DrillstringDisplay::tell_status()
   const OwnShare share = cost_.share();
   if (share.frames == 0.0) return;
   setStatus(StatusProperty::Ok, "Own work", QString("%1 % of a processor core").arg(100.0 * share.processor, 0, 'f', 1));
-  ROS_DEBUG("Drillstring: own work %.2f %% of a processor core, %.1f frames a second, %zu nodes", 100.0 * share.processor, share.frames,
-            model_.string ? model_.string->size() : 0);
+  ROS_DEBUG("Drillstring: own work %.2f %% of a processor core, %.1f frames a second, %zu nodes", 100.0 * share.processor,
+            share.frames, model_.string ? model_.string->size() : 0);
 }
 
 void DrillstringDisplay::show_legend()
@@ -95,7 +97,8 @@ void DrillstringDisplay::show_legend()
   if (options_.forces)
   {
     legend.rows.emplace_back("largest side force", number(1e-3 * string_scene_->largest_force(), 2, "kN/m"));
-    if (string_scene_->largest_force() > 1.0) legend.rows.emplace_back("its scale", QString::number(1e3 * string_scene_->force_scale(), 'g', 3) + " m per kN/m");
+    if (string_scene_->largest_force() > 1.0)
+      legend.rows.emplace_back("its scale", QString::number(1e3 * string_scene_->force_scale(), 'g', 3) + " m per kN/m");
   }
   const double age = heard_.isZero() ? 0.0 : (ros::WallTime::now() - heard_).toSec();
   if (age > old_age) legend.rows.emplace_back("no message for", number(age, 0, "s"));
@@ -190,11 +193,13 @@ void DrillstringDisplay::apply_camera()
   auto* target = dynamic_cast<rviz::TfFrameProperty*>(view->subProp("Target Frame"));
   auto* focal = dynamic_cast<rviz::VectorProperty*>(view->subProp("Focal Point"));
   if (!target || !focal) return;  // a view that has no place to look at
-  const std::string frame = model_.prefix() + (model_.rig->parts.front().kind == PartKind::bit ? model_.rig->parts.front().name : "bit");
+  const std::string frame =
+      model_.prefix() + (model_.rig->parts.front().kind == PartKind::bit ? model_.rig->parts.front().name : "bit");
   target->setStdString(follow ? frame : model_.floor);
   if (!preset) return;
   changeOptions();  // the exaggeration may go by the camera
-  const Subject subject{model_.bit_face(), model_.bit_md(), options_.exaggeration * model_.rig->hole_radius(model_.bit_md()), model_.rig->crown_height};
+  const Subject subject{model_.bit_face(), model_.bit_md(), options_.exaggeration * model_.rig->hole_radius(model_.bit_md()),
+                        model_.rig->crown_height};
   const OrbitView orbit = view_of(*preset, *model_.axis, subject);
   // rviz' orbit goes by the fixed frame's axes, about the target frame's origin
   const Ogre::Quaternion turned = scene_node_->getOrientation();

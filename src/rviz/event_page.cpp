@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "event_page.h"
 
 #include <QHBoxLayout>
@@ -26,7 +27,10 @@ QListWidget* make_list(const QString& name, QWidget* parent)
   return list;
 }
 
-QColor text_color(Level level) { return level == Level::normal ? QColor(look::text) : color_of(level); }
+QColor text_color(Level level)
+{
+  return level == Level::normal ? QColor(look::text) : color_of(level);
+}
 
 QString clock_text(double time)
 {
@@ -84,14 +88,17 @@ std::vector<EventPage::Line> EventPage::lines_of(const RigState* state, const Ri
   if (state != nullptr)
     for (std::size_t n = 0; n < failing_gauges().size(); ++n)
       if ((state->lost_gauges >> n & 1u) != 0)
-        lines.push_back({QStringLiteral("drop-out: %1 repeats its last reading").arg(row_of(failing_gauges()[n]).label), Level::caution});
+        lines.push_back(
+            {QStringLiteral("drop-out: %1 repeats its last reading").arg(row_of(failing_gauges()[n]).label), Level::caution});
   for (const FlagRow& row : flag_rows())
     if (flags[static_cast<std::size_t>(row.flag)] && row.flag != Flag::accuracy_warning) lines.push_back({row.text, row.level});
   if (state != nullptr)
     for (const QString& fault : faults_) lines.push_back({"fault: " + fault, Level::caution});
   for (const Alarm& alarm : alarms_.latched())  // after what is the case now
     if (!flags[static_cast<std::size_t>(alarm.flag)])
-      lines.push_back({QStringLiteral("%1 (over: %2 to %3)").arg(row_of(alarm.flag).text, clock_text(alarm.from), clock_text(alarm.to)), Level::alarm});
+      lines.push_back(
+          {QStringLiteral("%1 (over: %2 to %3)").arg(row_of(alarm.flag).text, clock_text(alarm.from), clock_text(alarm.to)),
+           Level::alarm});
   std::stable_sort(lines.begin(), lines.end(), [](const Line& a, const Line& b) { return a.level > b.level; });
   return lines;
 }
@@ -155,7 +162,8 @@ void EventPage::log_connection(const RigState& state)
   const auto connection = connections_.take({state.header.stamp.toSec(), state.in_slips != 0, state.stand_count, drills(state)});
   if (!connection) return;
   QString text = QStringLiteral("connection %1: %2 s in slips").arg(connection->number).arg(connection->in_slips, 0, 'f', 0);
-  if (std::isfinite(connection->weight_to_weight)) text += QStringLiteral(", %1 s weight to weight").arg(connection->weight_to_weight, 0, 'f', 0);
+  if (std::isfinite(connection->weight_to_weight))
+    text += QStringLiteral(", %1 s weight to weight").arg(connection->weight_to_weight, 0, 'f', 0);
   log(text, Level::normal);
 }
 
@@ -169,7 +177,8 @@ void EventPage::show_state(const RigState* state, const RigTruth* truth, const D
 {
   const bool doubtful = state != nullptr && state->accuracy_warning != 0;
   const std::string& reason = diagnosis.accuracy.empty() ? diagnosis.physics : diagnosis.accuracy;
-  const QString accuracy = doubtful ? "Simulation accuracy: " + (reason.empty() ? QString("warning") : QString::fromStdString(reason)) : QString();
+  const QString accuracy =
+      doubtful ? "Simulation accuracy: " + (reason.empty() ? QString("warning") : QString::fromStdString(reason)) : QString();
   show_accuracy(doubtful ? accuracy : QString("Simulation accuracy: no warning"));
   const std::vector<Line> lines = lines_of(state, truth, diagnosis);
   acknowledge_->setEnabled(!alarms_.latched().empty());

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_RVIZ_EVENT_PAGE_H
 #define DRILL_RIG_SIM_RVIZ_EVENT_PAGE_H
 
@@ -16,8 +17,8 @@ class QPushButton;
 
 namespace drill_rig_sim::console
 {
-/// What is the case now (flags, lost gauges, faults) with the alarms that nobody has acknowledged, the accuracy of the simulation in a line of its own, and a
-/// log of flags from and to, operations, connections and answers.
+/// What is the case now (flags, lost gauges, faults) with the alarms that nobody has acknowledged, the accuracy of the simulation
+/// in a line of its own, and a log of flags from and to, operations, connections and answers.
 class EventPage : public QWidget
 {
   Q_OBJECT

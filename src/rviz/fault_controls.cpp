@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "fault_controls.h"
 
 #include <QComboBox>
@@ -68,8 +69,10 @@ void FaultControls::follow_target()
 {
   const FaultTraits& row = fault_traits[fault_->currentIndex()];
   const bool of_gauge = row.magnitude.dimension == Dimension::count;
-  magnitude_->set_dimension(of_gauge ? row_of(quantity_of(target_->currentData().toString().toStdString())).dimension : row.magnitude.dimension);
-  tell(magnitude_label_, row.magnitude.label == nullptr ? "no magnitude" : QStringLiteral("Magnitude: %1").arg(row.magnitude.label));
+  magnitude_->set_dimension(of_gauge ? row_of(quantity_of(target_->currentData().toString().toStdString())).dimension
+                                     : row.magnitude.dimension);
+  tell(magnitude_label_,
+       row.magnitude.label == nullptr ? "no magnitude" : QStringLiteral("Magnitude: %1").arg(row.magnitude.label));
 }
 
 void FaultControls::inject(bool clear)

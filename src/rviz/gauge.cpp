@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "gauge.h"
 
 #include <QContextMenuEvent>
@@ -31,9 +32,15 @@ Gauge::Gauge(const QuantityRow& row, const QString& kind, QWidget* parent) : QWi
   scale_ = scale_of(row.quantity, limits_, least_, most_);
 }
 
-QSize Gauge::sizeHint() const { return {190, minimumSizeHint().height() + 4}; }
+QSize Gauge::sizeHint() const
+{
+  return {190, minimumSizeHint().height() + 4};
+}
 
-QSize Gauge::minimumSizeHint() const { return {least_width, least_height + (shows_truth_ ? truth_height : 0)}; }
+QSize Gauge::minimumSizeHint() const
+{
+  return {least_width, least_height + (shows_truth_ ? truth_height : 0)};
+}
 
 void Gauge::set_units(UnitSystem system)
 {
@@ -57,9 +64,15 @@ void Gauge::forget()
   least_ = most_ = missing;
 }
 
-bool Gauge::is_filled() const { return std::isfinite(value_); }
+bool Gauge::is_filled() const
+{
+  return std::isfinite(value_);
+}
 
-bool Gauge::is_pulled() const { return row_.quantity == Quantity::surface_wob && value_ < over_pull; }
+bool Gauge::is_pulled() const
+{
+  return row_.quantity == Quantity::surface_wob && value_ < over_pull;
+}
 
 QString Gauge::state_text() const
 {
@@ -80,7 +93,8 @@ void Gauge::show_value(double value, const char* why, bool lost, bool stale, con
   value_ = value;
   why_ = why;
   const Scale scale = scale_of(row_.quantity, limits, least_, most_);
-  bool differs = stale != stale_ || lost != lost_ || was_filled != is_filled() || !same(limits, limits_) || scale.high != scale_.high || scale.low != scale_.low;
+  bool differs = stale != stale_ || lost != lost_ || was_filled != is_filled() || !same(limits, limits_) ||
+                 scale.high != scale_.high || scale.low != scale_.low;
   lost_ = lost;
   stale_ = stale;
   limits_ = limits;
@@ -90,7 +104,8 @@ void Gauge::show_value(double value, const char* why, bool lost, bool stale, con
   const QString text = state_text();
   const int bar = is_filled() ? static_cast<int>(std::lround(place(value, rect()))) : -1;
   const char* const words[] = {"", " caution", " alarm"};
-  const QString description = QString(is_pulled() ? "over-pull " : "") + text + (shows_error() ? " " + error_text_ : QString()) + words[static_cast<int>(level_)] + (stale_ ? " stale" : "");
+  const QString description = QString(is_pulled() ? "over-pull " : "") + text + (shows_error() ? " " + error_text_ : QString()) +
+                              words[static_cast<int>(level_)] + (stale_ ? " stale" : "");
   if (description != accessibleDescription()) setAccessibleDescription(description);
   differs = differs || text != text_ || bar != bar_;
   text_ = text;
@@ -112,7 +127,8 @@ void Gauge::set_mark(double value, const QString& meaning)
   const bool same_place = value == mark_ || (std::isnan(value) && std::isnan(mark_));
   if (same_place) return;
   mark_ = value;
-  setToolTip(QStringLiteral("%1: %2").arg(row_.label, row_.source) + (std::isfinite(mark_) ? "; mark below the bar: " + meaning : QString()));
+  setToolTip(QStringLiteral("%1: %2").arg(row_.label, row_.source) +
+             (std::isfinite(mark_) ? "; mark below the bar: " + meaning : QString()));
   update();
 }
 
@@ -166,7 +182,8 @@ void Gauge::paint_texts(QPainter& painter, const QRect& area)
   small.setPixelSize(10);
   painter.setFont(small);
   painter.setPen(QColor(look::off));
-  painter.drawText(QRect(area.left(), area.bottom() - truth_height + 1, area.width(), truth_height), Qt::AlignRight | Qt::AlignVCenter, truth_text_);
+  painter.drawText(QRect(area.left(), area.bottom() - truth_height + 1, area.width(), truth_height),
+                   Qt::AlignRight | Qt::AlignVCenter, truth_text_);
 }
 
 void Gauge::paint_bar(QPainter& painter, const QRect& area)
@@ -188,7 +205,8 @@ void Gauge::paint_bar(QPainter& painter, const QRect& area)
   const double zero = place(std::clamp(0.0, scale_.low, scale_.high), area), here = place(value_, area);
   const QColor color = stale_ ? QColor(look::off) : color_of(level_);
   painter.fillRect(QRectF(std::min(zero, here), area.top(), std::max(std::abs(here - zero), 1.0), area.height()), color);
-  painter.fillRect(QRectF(std::clamp(here - 1.0, double(area.left()), area.right() - 1.0), area.top() - 2, 3, area.height() + 4), QColor(look::text));
+  painter.fillRect(QRectF(std::clamp(here - 1.0, double(area.left()), area.right() - 1.0), area.top() - 2, 3, area.height() + 4),
+                   QColor(look::text));
   if (std::isfinite(mark_))
   {
     const double at = place(mark_, area);
@@ -197,7 +215,8 @@ void Gauge::paint_bar(QPainter& painter, const QRect& area)
     const QPointF mark[] = {{at, area.bottom() + 0.5}, {at - 4.0, area.bottom() + 5.0}, {at + 4.0, area.bottom() + 5.0}};
     painter.drawPolygon(mark, 3);
   }
-  if (shows_truth_ && std::isfinite(truth_)) painter.fillRect(QRectF(place(truth_, area) - 0.5, area.top() - 2, 1, area.height() + 4), QColor(look::accent));
+  if (shows_truth_ && std::isfinite(truth_))
+    painter.fillRect(QRectF(place(truth_, area) - 0.5, area.top() - 2, 1, area.height() + 4), QColor(look::accent));
 }
 
 void Gauge::paintEvent(QPaintEvent*)

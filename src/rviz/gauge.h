@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_RVIZ_GAUGE_H
 #define DRILL_RIG_SIM_RVIZ_GAUGE_H
 
@@ -8,9 +9,9 @@
 
 namespace drill_rig_sim::console
 {
-/// One value: its number large with its measured error small behind it, a bar with zones of caution and alarm below it, and the truth as a faint
-/// line if asked for. A caution has the sign "△" before its name, an alarm "▲". A negative weight on bit is shown as over-pull.
-/// Its accessible name is "KIND KEY", its accessible description what it shows.
+/// One value: its number large with its measured error small behind it, a bar with zones of caution and alarm below it, and the
+/// truth as a faint line if asked for. A caution has the sign "△" before its name, an alarm "▲". A negative weight on bit is
+/// shown as over-pull. Its accessible name is "KIND KEY", its accessible description what it shows.
 class Gauge : public QWidget
 {
   Q_OBJECT

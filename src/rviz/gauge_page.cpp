@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "gauge_page.h"
 
 #include <QGridLayout>
@@ -15,7 +16,8 @@ namespace
 constexpr int column_width = 230;  // a gauge likes to have
 }
 
-GaugePage::GaugePage(QWidget* parent) : QWidget(parent), dial_(new ToolfaceDial(this)), block_(new BlockBar(this)), grid_(new QGridLayout(this))
+GaugePage::GaugePage(QWidget* parent)
+    : QWidget(parent), dial_(new ToolfaceDial(this)), block_(new BlockBar(this)), grid_(new QGridLayout(this))
 {
   setAccessibleName("page gauges");
   grid_->setContentsMargins(4, 4, 4, 4);

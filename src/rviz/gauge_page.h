@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_RVIZ_GAUGE_PAGE_H
 #define DRILL_RIG_SIM_RVIZ_GAUGE_PAGE_H
 
@@ -21,7 +22,8 @@ class GaugePage : public QWidget
   Q_OBJECT
 public:
   explicit GaugePage(QWidget* parent);
-  /// A few of the gauges once more, for another page: what is shown is the same, but for the truth. Their accessible names begin with `kind`.
+  /// A few of the gauges once more, for another page: what is shown is the same, but for the truth. Their accessible names begin
+  /// with `kind`.
   QWidget* make_strip(const QString& kind, const std::vector<Quantity>& chosen, QWidget* parent);
 
   void set_units(UnitSystem system);

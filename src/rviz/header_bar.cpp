@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "header_bar.h"
 
 #include <QGridLayout>
@@ -34,7 +35,8 @@ QString time_text(const News& news)
   const double t = news.state->header.stamp.toSec();
   const auto s = static_cast<long long>(t);
   QString text = QStringLiteral("%1:%2:%3").arg(s / 3600).arg(s / 60 % 60, 2, 10, QChar('0')).arg(s % 60, 2, 10, QChar('0'));
-  if (std::isfinite(news.diagnosis.real_time_factor)) text += QString::fromUtf8("  ×%1").arg(news.diagnosis.real_time_factor, 0, 'f', 2);
+  if (std::isfinite(news.diagnosis.real_time_factor))
+    text += QString::fromUtf8("  ×%1").arg(news.diagnosis.real_time_factor, 0, 'f', 2);
   return text;
 }
 }  // namespace
@@ -124,7 +126,10 @@ void HeaderBar::show_warning(const QString& text, Level level)
   cut_warning();
 }
 
-void HeaderBar::cut_warning() { warning_->setText(warning_->fontMetrics().elidedText(warning_->toolTip(), Qt::ElideRight, warning_->width())); }
+void HeaderBar::cut_warning()
+{
+  warning_->setText(warning_->fontMetrics().elidedText(warning_->toolTip(), Qt::ElideRight, warning_->width()));
+}
 
 void HeaderBar::resizeEvent(QResizeEvent* event)
 {

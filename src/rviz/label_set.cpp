@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "label_set.h"
 
 #include <OgreCamera.h>
@@ -11,7 +12,9 @@
 
 namespace drill_rig_sim
 {
-LabelSet::LabelSet(Ogre::SceneManager* manager, Ogre::SceneNode* parent) : manager_(manager), parent_(parent) {}
+LabelSet::LabelSet(Ogre::SceneManager* manager, Ogre::SceneNode* parent) : manager_(manager), parent_(parent)
+{
+}
 
 LabelSet::~LabelSet()
 {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "legend.h"
 
 #include <QFontMetrics>
@@ -30,10 +31,12 @@ QImage ground_of(int height)
   return image;
 }
 
-void write(QPainter& painter, const QString& text, int y, const QColor& color, Qt::Alignment where = Qt::AlignLeft, int indent = 0)
+void write(QPainter& painter, const QString& text, int y, const QColor& color, Qt::Alignment where = Qt::AlignLeft,
+           int indent = 0)
 {
   painter.setPen(color);
-  painter.drawText(QRect(edge + indent, y, width - 2 * edge - indent, row_height), static_cast<int>(where | Qt::AlignVCenter), text);
+  painter.drawText(QRect(edge + indent, y, width - 2 * edge - indent, row_height), static_cast<int>(where | Qt::AlignVCenter),
+                   text);
 }
 
 void write_rows(QPainter& painter, const std::vector<std::pair<QString, QString>>& rows, int y)
@@ -48,7 +51,8 @@ void write_rows(QPainter& painter, const std::vector<std::pair<QString, QString>
 
 void draw_bar(QPainter& painter, const ColorScale& scale, int top)
 {
-  const auto row_of = [&](double value) { return top + static_cast<int>((scale.high() - value) / (scale.high() - scale.low()) * (bar_height - 1)); };
+  const auto row_of = [&](double value)
+  { return top + static_cast<int>((scale.high() - value) / (scale.high() - scale.low()) * (bar_height - 1)); };
   for (int y = 0; y < bar_height; ++y)
   {
     painter.setPen(to_qcolor(scale.at(scale.high() - (scale.high() - scale.low()) * y / (bar_height - 1))));

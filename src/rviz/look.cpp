@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "look.h"
 
 #include <QCheckBox>
@@ -54,7 +55,9 @@ QPalette console_palette()
 QString unit_text(Dimension dimension, UnitSystem system)
 {
   QString name = unit_of(dimension, system).name;
-  return name.replace("m2", QString::fromUtf8("m²")).replace("m3", QString::fromUtf8("m³")).replace("in2", QString::fromUtf8("in²"));
+  return name.replace("m2", QString::fromUtf8("m²"))
+      .replace("m3", QString::fromUtf8("m³"))
+      .replace("in2", QString::fromUtf8("in²"));
 }
 
 QString shown_text(double si, Dimension dimension, UnitSystem system)

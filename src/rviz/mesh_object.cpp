@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "mesh_object.h"
 
 #include <OgreCamera.h>
@@ -16,8 +17,8 @@ namespace
 Ogre::MaterialPtr make_material(const MeshStyle& style)
 {
   static int made = 0;
-  const Ogre::MaterialPtr material = Ogre::MaterialManager::getSingleton().create("drill_rig_sim/mesh" + std::to_string(made++),
-                                                                                 Ogre::ResourceGroupManager::DEFAULT_RESOURCE_GROUP_NAME);
+  const Ogre::MaterialPtr material = Ogre::MaterialManager::getSingleton().create(
+      "drill_rig_sim/mesh" + std::to_string(made++), Ogre::ResourceGroupManager::DEFAULT_RESOURCE_GROUP_NAME);
   material->setReceiveShadows(false);
   Ogre::Pass* pass = material->getTechnique(0)->getPass(0);
   pass->setLightingEnabled(false);  // the colours are shaded already
@@ -65,8 +66,8 @@ void MeshObject::fit(const MeshData& mesh)
   if (mesh.indices.size() > indices_)
   {
     indices_ = mesh.indices.size() + mesh.indices.size() / 4;
-    mRenderOp.indexData->indexBuffer =
-        buffers.createIndexBuffer(Ogre::HardwareIndexBuffer::IT_32BIT, indices_, Ogre::HardwareBuffer::HBU_DYNAMIC_WRITE_ONLY_DISCARDABLE);
+    mRenderOp.indexData->indexBuffer = buffers.createIndexBuffer(Ogre::HardwareIndexBuffer::IT_32BIT, indices_,
+                                                                 Ogre::HardwareBuffer::HBU_DYNAMIC_WRITE_ONLY_DISCARDABLE);
   }
 }
 
@@ -75,7 +76,8 @@ void MeshObject::set(const MeshData& mesh)
   shown_ = !mesh.indices.empty();
   if (!shown_) return;
   fit(mesh);
-  mRenderOp.vertexData->vertexBufferBinding->getBuffer(0)->writeData(0, mesh.vertices.size() * sizeof(Vertex), mesh.vertices.data(), true);
+  mRenderOp.vertexData->vertexBufferBinding->getBuffer(0)->writeData(0, mesh.vertices.size() * sizeof(Vertex),
+                                                                     mesh.vertices.data(), true);
   mRenderOp.vertexData->vertexStart = 0;
   mRenderOp.vertexData->vertexCount = mesh.vertices.size();
   mRenderOp.indexData->indexBuffer->writeData(0, mesh.indices.size() * sizeof(std::uint32_t), mesh.indices.data(), true);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SRC_RVIZ_MESH_OBJECT_H
 #define DRILL_RIG_SIM_SRC_RVIZ_MESH_OBJECT_H
 
@@ -17,8 +18,8 @@ struct MeshStyle
   float line_width = 1.0f;   ///< [pixels]
 };
 
-/// Triangles or lines of one material in one buffer of the graphics card, which keeps its memory while the mesh does not grow. Goes on a scene node by
-/// attachObject(), and has left it before it ends.
+/// Triangles or lines of one material in one buffer of the graphics card, which keeps its memory while the mesh does not grow.
+/// Goes on a scene node by attachObject(), and has left it before it ends.
 class MeshObject : public Ogre::SimpleRenderable
 {
 public:

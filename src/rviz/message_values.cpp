@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "message_values.h"
 
 #include <algorithm>
@@ -20,7 +21,10 @@ constexpr std::pair<const char*, Quantity> outputs[] = {
 
 constexpr double near_bottom = 0.1;  // of the hole: the bit counts as on bottom [m]
 
-void take(Values& values, const char* key, double value) { values.set(quantity_of(key), value); }
+void take(Values& values, const char* key, double value)
+{
+  values.set(quantity_of(key), value);
+}
 
 /// The numbers that RigState and RigTruth have in common.
 template <class Message>
@@ -93,7 +97,8 @@ Values readings_of(const News& news, const RigState& s, double bit_diameter)
   take_fields(values, s);
   if (news.accuracy) take_errors(values, *news.accuracy);
   if (s.in_slips)
-    for (const Quantity quantity : {Quantity::surface_wob, Quantity::differential_pressure, Quantity::specific_energy}) values.lack(quantity, "in slips");
+    for (const Quantity quantity : {Quantity::surface_wob, Quantity::differential_pressure, Quantity::specific_energy})
+      values.lack(quantity, "in slips");
   else if (!s.tared)
     values.lack(Quantity::specific_energy, "not zeroed");
   else if (!drills(s) || !(s.surface_wob > 0.0))

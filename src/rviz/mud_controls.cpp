@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "mud_controls.h"
 
 #include <QGridLayout>
@@ -8,7 +9,8 @@
 
 namespace drill_rig_sim::console
 {
-MudControls::MudControls(RigLink& link, QWidget* parent) : Controls("Mud pump", link, parent), in_force_(make_reading("mud pump in force", this))
+MudControls::MudControls(RigLink& link, QWidget* parent)
+    : Controls("Mud pump", link, parent), in_force_(make_reading("mud pump in force", this))
 {
   flow_ = add_set_point("mud pump flow", Dimension::flow, 0.0, 1.0, 0.02);
   QPushButton* apply_button = make_button("Apply", "mud pump apply", this);
@@ -31,7 +33,10 @@ void MudControls::send(double flow)
   flow_->set_si(flow);  // after Stop, Apply must not send the flow of before
 }
 
-void MudControls::apply() { send(flow_->si()); }
+void MudControls::apply()
+{
+  send(flow_->si());
+}
 
 void MudControls::show_news(const News& news)
 {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "overlay_panel.h"
 
 #include <OgreHardwarePixelBuffer.h>
@@ -52,8 +53,9 @@ OverlayPanel::~OverlayPanel()
 void OverlayPanel::make_texture(int width, int height)
 {
   if (texture_) Ogre::TextureManager::getSingleton().remove(texture_);
-  texture_ = Ogre::TextureManager::getSingleton().createManual(name_ + "/texture", group, Ogre::TEX_TYPE_2D, static_cast<unsigned>(width),
-                                                               static_cast<unsigned>(height), 0, Ogre::PF_A8R8G8B8, Ogre::TU_DEFAULT);
+  texture_ = Ogre::TextureManager::getSingleton().createManual(name_ + "/texture", group, Ogre::TEX_TYPE_2D,
+                                                               static_cast<unsigned>(width), static_cast<unsigned>(height), 0,
+                                                               Ogre::PF_A8R8G8B8, Ogre::TU_DEFAULT);
   Ogre::TextureUnitState* unit = material_->getTechnique(0)->getPass(0)->getTextureUnitState(0);
   unit->setTexture(texture_);
   unit->setTextureFiltering(Ogre::TFO_NONE);
@@ -64,9 +66,11 @@ void OverlayPanel::show(const QImage& image)
   if (image.isNull()) return hide();
   const QImage pixels = image.convertToFormat(QImage::Format_ARGB32);
   const int width = pixels.width(), height = pixels.height();
-  if (!texture_ || static_cast<int>(texture_->getWidth()) != width || static_cast<int>(texture_->getHeight()) != height) make_texture(width, height);
+  if (!texture_ || static_cast<int>(texture_->getWidth()) != width || static_cast<int>(texture_->getHeight()) != height)
+    make_texture(width, height);
   const Ogre::HardwarePixelBufferSharedPtr buffer = texture_->getBuffer();
-  buffer->blitFromMemory(Ogre::PixelBox(static_cast<unsigned>(width), static_cast<unsigned>(height), 1, Ogre::PF_A8R8G8B8, const_cast<uchar*>(pixels.constBits())));
+  buffer->blitFromMemory(Ogre::PixelBox(static_cast<unsigned>(width), static_cast<unsigned>(height), 1, Ogre::PF_A8R8G8B8,
+                                        const_cast<uchar*>(pixels.constBits())));
   panel_->setDimensions(static_cast<float>(width), static_cast<float>(height));
   place();
   overlay_->show();
@@ -108,7 +112,8 @@ Ogre::FloatRect OverlayPanel::area(double view_width, double view_height) const
   const double width = panel_->getWidth(), height = panel_->getHeight();
   const double left = right ? 0.5 * view_width - distance_from_edge - width : distance_from_edge - 0.5 * view_width;
   const double bottom = top ? 0.5 * view_height - distance_from_edge - height : distance_from_edge - 0.5 * view_height;
-  return {static_cast<float>(left), static_cast<float>(bottom + height), static_cast<float>(left + width), static_cast<float>(bottom)};
+  return {static_cast<float>(left), static_cast<float>(bottom + height), static_cast<float>(left + width),
+          static_cast<float>(bottom)};
 }
 
 }  // namespace drill_rig_sim

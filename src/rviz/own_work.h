@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SRC_RVIZ_OWN_WORK_H
 #define DRILL_RIG_SIM_SRC_RVIZ_OWN_WORK_H
 
@@ -5,7 +6,8 @@
 
 namespace drill_rig_sim
 {
-/// What a plug-in's own code takes of a processor, rendering excluded: processor time of its thread, over wall time, of some seconds.
+/// What a plug-in's own code takes of a processor, rendering excluded: processor time of its thread, over wall time, of some
+/// seconds.
 struct OwnShare
 {
   double processor = 0.0;  ///< of one core [-]

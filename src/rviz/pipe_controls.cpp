@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "pipe_controls.h"
 
 #include <std_srvs/SetBool.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "probe_tool.h"
 
 #include <OgreCamera.h>
@@ -19,13 +20,15 @@ namespace
 {
 constexpr double pixels_beside = 8.0;  // that still hit
 
-/// Through a place of the picture, 0 to 1 from its left upper corner. Ogre's own goes by the inverse of a projection in single precision: a kilometre down it
-/// passes many pixels from that place.
+/// Through a place of the picture, 0 to 1 from its left upper corner. Ogre's own goes by the inverse of a projection in single
+/// precision: a kilometre down it passes many pixels from that place.
 Ogre::Ray ray_through(const Ogre::Camera& camera, double x, double y)
 {
-  if (camera.getProjectionType() != Ogre::PT_PERSPECTIVE) return camera.getCameraToViewportRay(static_cast<float>(x), static_cast<float>(y));
+  if (camera.getProjectionType() != Ogre::PT_PERSPECTIVE)
+    return camera.getCameraToViewportRay(static_cast<float>(x), static_cast<float>(y));
   const double high = std::tan(0.5 * camera.getFOVy().valueRadians());
-  const Ogre::Vector3 ahead(static_cast<float>((2.0 * x - 1.0) * high * camera.getAspectRatio()), static_cast<float>((1.0 - 2.0 * y) * high), -1.0f);
+  const Ogre::Vector3 ahead(static_cast<float>((2.0 * x - 1.0) * high * camera.getAspectRatio()),
+                            static_cast<float>((1.0 - 2.0 * y) * high), -1.0f);
   return {camera.getDerivedPosition(), camera.getDerivedOrientation() * ahead.normalisedCopy()};
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "rig_link.h"
 
 #include <ros/master.h>
@@ -11,8 +12,9 @@ namespace drill_rig_sim::console
 {
 namespace
 {
-constexpr std::size_t most_toolfaces = 12;   // that are remembered
-constexpr unsigned longest_queue = 4000;     // of rig_state: no peak is lost in 2 s of a busy window at 100 Hz and 20 times real time
+constexpr std::size_t most_toolfaces = 12;  // that are remembered
+constexpr unsigned longest_queue =
+    4000;  // of rig_state: no peak is lost in 2 s of a busy window at 100 Hz and 20 times real time
 constexpr auto between_looks = std::chrono::seconds(2);  // at master and rigs that are not there
 const std::string state_topic = "rig_state";
 
@@ -38,7 +40,8 @@ double number_of(const std::string& text, double otherwise)
 constexpr char list_states[] = "list_states";
 }  // namespace
 
-RigLink::RigLink(QObject* parent) : QObject(parent), state_heard_(Clock::now()), diagnostics_heard_(state_heard_), looked_(state_heard_)
+RigLink::RigLink(QObject* parent)
+    : QObject(parent), state_heard_(Clock::now()), diagnostics_heard_(state_heard_), looked_(state_heard_)
 {
   connect(&caller_, &ServiceCaller::answered, this,
           [this](const QString& what, bool success, const QString& text)
@@ -87,7 +90,10 @@ void RigLink::set_namespace(const QString& name)
   Q_EMIT changed();
 }
 
-QString RigLink::used_namespace() const { return QString::fromStdString(node_->getNamespace()); }
+QString RigLink::used_namespace() const
+{
+  return QString::fromStdString(node_->getNamespace());
+}
 
 QStringList RigLink::known_namespaces()
 {
@@ -96,7 +102,8 @@ QStringList RigLink::known_namespaces()
   if (!ros::master::getTopics(topics)) return names;
   for (const auto& topic : topics)
     if (topic.datatype == "drill_rig_sim/RigState" && ends_with(topic.name, "/" + state_topic))
-      names << QString::fromStdString(topic.name.size() == state_topic.size() + 1 ? "/" : ros::names::parentNamespace(topic.name));
+      names << QString::fromStdString(topic.name.size() == state_topic.size() + 1 ? "/"
+                                                                                  : ros::names::parentNamespace(topic.name));
   names.sort();
   return names;
 }
@@ -104,7 +111,8 @@ QStringList RigLink::known_namespaces()
 template <class Message>
 void RigLink::hear(const std::string& topic, boost::shared_ptr<Message const>& slot)
 {
-  const boost::function<void(const boost::shared_ptr<Message const>&)> take = [&slot](const boost::shared_ptr<Message const>& m) { slot = m; };
+  const boost::function<void(const boost::shared_ptr<Message const>&)> take = [&slot](const boost::shared_ptr<Message const>& m)
+  { slot = m; };
   subscribers_.push_back(node_->subscribe<Message>(topic, 1, take));
 }
 
@@ -159,8 +167,10 @@ void RigLink::subscribe_truth()
 template <class Message>
 void RigLink::advertise(Outlet& outlet, const std::string& topic)
 {
-  const ros::SubscriberStatusCallback comes = [&outlet](const ros::SingleSubscriberPublisher& p) { outlet.hearers.insert(p.getSubscriberName()); };
-  const ros::SubscriberStatusCallback goes = [&outlet](const ros::SingleSubscriberPublisher& p) { outlet.hearers.erase(p.getSubscriberName()); };
+  const ros::SubscriberStatusCallback comes = [&outlet](const ros::SingleSubscriberPublisher& p)
+  { outlet.hearers.insert(p.getSubscriberName()); };
+  const ros::SubscriberStatusCallback goes = [&outlet](const ros::SingleSubscriberPublisher& p)
+  { outlet.hearers.erase(p.getSubscriberName()); };
   outlet.publisher = node_->advertise<Message>(topic, 1, comes, goes);
 }
 
@@ -249,7 +259,10 @@ void RigLink::look_around()
   Q_EMIT changed();
 }
 
-double RigLink::age() const { return seconds_since(state_heard_); }
+double RigLink::age() const
+{
+  return seconds_since(state_heard_);
+}
 
 RunState RigLink::run_state() const
 {
@@ -294,10 +307,22 @@ bool RigLink::send(Outlet& outlet, const QString& what, const Message& message)
   return true;
 }
 
-bool RigLink::command(const WinchCommand& command) { return send(winch_, "winch", command); }
-bool RigLink::command(const TopDriveCommand& command) { return send(top_drive_, "top drive", command); }
-bool RigLink::command(const MudPumpCommand& command) { return send(pump_, "mud pump", command); }
-bool RigLink::command(const SteeringCommand& command) { return send(steering_, "steering", command); }
+bool RigLink::command(const WinchCommand& command)
+{
+  return send(winch_, "winch", command);
+}
+bool RigLink::command(const TopDriveCommand& command)
+{
+  return send(top_drive_, "top drive", command);
+}
+bool RigLink::command(const MudPumpCommand& command)
+{
+  return send(pump_, "mud pump", command);
+}
+bool RigLink::command(const SteeringCommand& command)
+{
+  return send(steering_, "steering", command);
+}
 
 void RigLink::ask_states()
 {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_RVIZ_RIG_LINK_H
 #define DRILL_RIG_SIM_RVIZ_RIG_LINK_H
 
@@ -24,7 +25,8 @@
 
 namespace drill_rig_sim::console
 {
-/// The console's side of the ROS interface: topics of one rig, its commands and services. Messages are taken by `poll` alone, in the thread that calls it.
+/// The console's side of the ROS interface: topics of one rig, its commands and services. Messages are taken by `poll` alone, in
+/// the thread that calls it.
 class RigLink : public QObject
 {
   Q_OBJECT
@@ -32,7 +34,8 @@ public:
   explicit RigLink(QObject* parent = nullptr);
   ~RigLink() override;
 
-  /// Namespace of the rig; empty: rviz's own, or, where there is none, the only rig that the master knows. What ROS takes for no name is refused.
+  /// Namespace of the rig; empty: rviz's own, or, where there is none, the only rig that the master knows. What ROS takes for no
+  /// name is refused.
   void set_namespace(const QString& name);
   const QString& wanted_namespace() const { return wanted_; }
   /// The one that is listened to, from the root: "/rig".

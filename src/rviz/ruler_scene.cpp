@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "ruler_scene.h"
 
 #include <OgreCamera.h>
@@ -16,8 +17,8 @@ using Eigen::Vector3d;
 
 namespace
 {
-constexpr Color ink{0.92f, 0.92f, 0.92f}, tick_color{0.80f, 0.80f, 0.80f}, part_color{1.00f, 0.90f, 0.55f}, well_color{0.75f, 0.85f, 0.95f},
-    plan_color{1.00f, 0.60f, 0.50f}, probe_color{1.00f, 1.00f, 0.30f};
+constexpr Color ink{0.92f, 0.92f, 0.92f}, tick_color{0.80f, 0.80f, 0.80f}, part_color{1.00f, 0.90f, 0.55f},
+    well_color{0.75f, 0.85f, 0.95f}, plan_color{1.00f, 0.60f, 0.50f}, probe_color{1.00f, 1.00f, 0.30f};
 constexpr double letter_height = 17.0, tick_distance = 60.0, name_distance = 20.0;  // [pixels]
 constexpr int most_ticks = 60;
 
@@ -39,7 +40,10 @@ std::vector<double> samples(double depth)
 }  // namespace
 
 RulerScene::RulerScene(Ogre::SceneManager* manager, Ogre::SceneNode* parent)
-    : manager_(manager), root_(parent->createChildSceneNode()), ticks_(MeshStyle{true}), label_set_(std::make_unique<LabelSet>(manager, root_))
+    : manager_(manager),
+      root_(parent->createChildSceneNode()),
+      ticks_(MeshStyle{true}),
+      label_set_(std::make_unique<LabelSet>(manager, root_))
 {
   root_->attachObject(&ticks_);
 }
@@ -82,7 +86,8 @@ RulerScene::Sight RulerScene::sight_of(const Ogre::Camera& camera) const
 }
 
 void RulerScene::draw(const DrawnRig& model, const DrillstringOptions& options, const PlanDistance& plan,
-                      const std::optional<Between>& probed, const Ogre::Camera& camera, const std::vector<Ogre::FloatRect>& covered)
+                      const std::optional<Between>& probed, const Ogre::Camera& camera,
+                      const std::vector<Ogre::FloatRect>& covered)
 {
   covered_ = covered;
   mesh_.clear();
@@ -103,7 +108,9 @@ void RulerScene::add_label(const std::string& text, const Vector3d& place, const
   const Ogre::Vector2 here = sight.screen(*root_, place);
   constexpr double long_label = 3.2 * letter_height;  // to the right from its place, which is half way up
   for (const Ogre::FloatRect& c : covered_)
-    if (here.x + long_label > c.left && here.x < c.right && here.y - 0.5 * letter_height < c.top && here.y + 0.5 * letter_height > c.bottom) return;
+    if (here.x + long_label > c.left && here.x < c.right && here.y - 0.5 * letter_height < c.top &&
+        here.y + 0.5 * letter_height > c.bottom)
+      return;
   for (const Ogre::Vector2& there : written_)
     if (std::abs(here.x - there.x) < long_label && std::abs(here.y - there.y) < letter_height) return;
   written_.push_back(here);
@@ -150,11 +157,13 @@ void RulerScene::add_probed(const DrawnRig& model, const DrillstringOptions& opt
   if (probed.node + 1 >= model.nodes.size()) return;
   const DrawnNode &a = model.nodes[probed.node], &b = model.nodes[probed.node + 1];
   const Vector3d place = a.position + probed.share * (b.position - a.position);
-  const double md = model.string->md[probed.node] + probed.share * (model.string->md[probed.node + 1] - model.string->md[probed.node]);
+  const double md =
+      model.string->md[probed.node] + probed.share * (model.string->md[probed.node + 1] - model.string->md[probed.node]);
   const double pixel = sight.pixel(*root_, place), wall = options.exaggeration * model.rig->hole_radius(md);
   const Vector3d beside = -sight.beside(model.axis->at(md));
   mesh_.add_line(place - 1.2 * wall * beside, place + (wall + 60.0 * pixel) * beside, probe_color);
-  add_label(text_of("%.2f m", md), place + (wall + 64.0 * pixel) * beside - 4.0 * letter_height * pixel * sight.right, probe_color, sight);
+  add_label(text_of("%.2f m", md), place + (wall + 64.0 * pixel) * beside - 4.0 * letter_height * pixel * sight.right,
+            probe_color, sight);
 }
 
 void RulerScene::add_parts(const DrawnRig& model, const DrillstringOptions& options, const Sight& sight)
@@ -177,7 +186,8 @@ void RulerScene::add_parts(const DrawnRig& model, const DrillstringOptions& opti
     const std::string& name = model.rig->parts[i].name;
     const double width = 0.55 * letter_height * static_cast<double>(name.size()) * pixel;  // texts begin where they stand
     mesh_.add_line(place, place + (wall + 10.0 * pixel) * beside, tick_color);
-    add_label(name, place + (wall + 14.0 * pixel) * beside - (beside.dot(sight.right) < 0.0 ? width : 0.0) * sight.right, part_color, sight);
+    add_label(name, place + (wall + 14.0 * pixel) * beside - (beside.dot(sight.right) < 0.0 ? width : 0.0) * sight.right,
+              part_color, sight);
   }
 }
 
@@ -201,7 +211,8 @@ void RulerScene::add_well(const DrawnRig& model, const DrillstringOptions& optio
       add_label("layer " + std::to_string(i + 2) + text_of(" below %.0f m TVD", base), place, well_color, sight);
   }
   if (options.plan && plan.there && plan.distance > 0.05)
-    add_label(text_of("%.2f m off plan", plan.distance), 0.5 * (plan.nearest + model.axis->points().back().position), plan_color, sight);
+    add_label(text_of("%.2f m off plan", plan.distance), 0.5 * (plan.nearest + model.axis->points().back().position), plan_color,
+              sight);
 }
 
 }  // namespace drill_rig_sim

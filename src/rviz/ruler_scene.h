@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SRC_RVIZ_RULER_SCENE_H
 #define DRILL_RIG_SIM_SRC_RVIZ_RULER_SCENE_H
 
@@ -13,8 +14,8 @@
 
 namespace drill_rig_sim
 {
-/// A ruler of measured depth along the hole, as fine as the picture is large, and the names of what is seen: parts, casing shoe, layers, distance to
-/// the plan. All of it goes by the camera.
+/// A ruler of measured depth along the hole, as fine as the picture is large, and the names of what is seen: parts, casing shoe,
+/// layers, distance to the plan. All of it goes by the camera.
 class RulerScene
 {
 public:
@@ -22,10 +23,10 @@ public:
   RulerScene(Ogre::SceneManager* manager, Ogre::SceneNode* parent);
   ~RulerScene();
 
-  /// Draws a complete model for a camera. `plan`: of the hole's bottom; `probed`: a place on the string that is pointed at; `covered`: where nothing is
-  /// written, from the picture's middle, x right, y up [pixels].
-  void draw(const DrawnRig& model, const DrillstringOptions& options, const PlanDistance& plan, const std::optional<Between>& probed,
-            const Ogre::Camera& camera, const std::vector<Ogre::FloatRect>& covered);
+  /// Draws a complete model for a camera. `plan`: of the hole's bottom; `probed`: a place on the string that is pointed at;
+  /// `covered`: where nothing is written, from the picture's middle, x right, y up [pixels].
+  void draw(const DrawnRig& model, const DrillstringOptions& options, const PlanDistance& plan,
+            const std::optional<Between>& probed, const Ogre::Camera& camera, const std::vector<Ogre::FloatRect>& covered);
   void clear();
 
 private:

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_RVIZ_SERVICE_CALLER_H
 #define DRILL_RIG_SIM_RVIZ_SERVICE_CALLER_H
 
@@ -42,8 +43,8 @@ public:
   /// A call under way is cut off.
   ~ServiceCaller() override;
 
-  /// Calls the service `topic` (its full name), whose answer comes as `answered` by the name `what`; after `patience` [s] without one the call is cut off
-  /// and that is told. Services that answer `success` and `message`.
+  /// Calls the service `topic` (its full name), whose answer comes as `answered` by the name `what`; after `patience` [s] without
+  /// one the call is cut off and that is told. Services that answer `success` and `message`.
   template <class Service>
   void call(const std::string& topic, const QString& what, const Service& service, double patience)
   {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "settings_page.h"
 
 #include <QCheckBox>
@@ -96,8 +97,10 @@ void SettingsPage::fill_table()
     const double rig = limits_of(row.quantity, rig_, OwnAlarms()).high_alarm;
     const double own = settings_.alarms.above[static_cast<std::size_t>(n)];
     table_->item(n, 0)->setText(row.label + (unit.isEmpty() ? QString() : " [" + unit + "]"));
-    table_->item(n, 1)->setText(std::isfinite(rig) ? QString::fromStdString(number_text(rig, row.dimension, settings_.units)) : QString("none"));
-    table_->item(n, 2)->setText(std::isfinite(own) ? QString::fromStdString(number_text(own, row.dimension, settings_.units)) : QString());
+    table_->item(n, 1)->setText(std::isfinite(rig) ? QString::fromStdString(number_text(rig, row.dimension, settings_.units))
+                                                   : QString("none"));
+    table_->item(n, 2)->setText(std::isfinite(own) ? QString::fromStdString(number_text(own, row.dimension, settings_.units))
+                                                   : QString());
   }
   fills_ = false;
 }

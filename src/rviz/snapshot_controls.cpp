@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "snapshot_controls.h"
 
 #include <QComboBox>
@@ -22,7 +23,8 @@ void put(const std::string& name, Request& request)
 }
 }  // namespace
 
-SnapshotControls::SnapshotControls(RigLink& link, QWidget* parent) : Controls("Snapshots", link, parent), name_(new QComboBox(this))
+SnapshotControls::SnapshotControls(RigLink& link, QWidget* parent)
+    : Controls("Snapshots", link, parent), name_(new QComboBox(this))
 {
   name_->setAccessibleName("snapshot name");
   name_->setEditable(true);
@@ -44,10 +46,17 @@ SnapshotControls::SnapshotControls(RigLink& link, QWidget* parent) : Controls("S
   connect(save_button, &QPushButton::clicked, this, &SnapshotControls::save);
   connect(restore_button, &QPushButton::clicked, this, &SnapshotControls::restore);
   connect(delete_button, &QPushButton::clicked, this,
-          [this] { ask(this, "snapshot delete question", "Delete the snapshot " + name_->currentText().trimmed() + "?", "Delete", [this] { forget(); }); });
+          [this]
+          {
+            ask(this, "snapshot delete question", "Delete the snapshot " + name_->currentText().trimmed() + "?", "Delete",
+                [this] { forget(); });
+          });
 }
 
-std::string SnapshotControls::name() const { return name_->currentText().trimmed().toStdString(); }
+std::string SnapshotControls::name() const
+{
+  return name_->currentText().trimmed().toStdString();
+}
 
 bool SnapshotControls::eventFilter(QObject* watched, QEvent* event)
 {

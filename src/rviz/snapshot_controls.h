@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_RVIZ_SNAPSHOT_CONTROLS_H
 #define DRILL_RIG_SIM_RVIZ_SNAPSHOT_CONTROLS_H
 
@@ -9,8 +10,8 @@ class QComboBox;
 
 namespace drill_rig_sim::console
 {
-/// Snapshots by name in the node's memory, or in a file where the name holds a slash. The list holds what the node keeps and the files named
-/// here; it is asked for when the mouse or the keys come to it, and after each of the buttons.
+/// Snapshots by name in the node's memory, or in a file where the name holds a slash. The list holds what the node keeps and the
+/// files named here; it is asked for when the mouse or the keys come to it, and after each of the buttons.
 class SnapshotControls : public Controls
 {
   Q_OBJECT

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "string_scene.h"
 
 #include <OgreSceneManager.h>
@@ -103,7 +104,8 @@ void StringScene::draw(const DrawnRig& model, const DrillstringOptions& options)
     const bool levels = colorings()[options.coloring].levels;
     const auto color = [&](double value) { return levels ? level_color(value) : scale.at(value); };
     const double thickness = options.true_diameter ? 1.0 : options.exaggeration;
-    tube_.set(shape_.rings(model.nodes, values_of(options.coloring, *model.string), color, thickness), options.coarse ? std::min(options.sides, coarse_sides) : options.sides);
+    tube_.set(shape_.rings(model.nodes, values_of(options.coloring, *model.string), color, thickness),
+              options.coarse ? std::min(options.sides, coarse_sides) : options.sides);
   }
   tube_.show(options.string);
   draw_forces(model, options);
@@ -132,8 +134,7 @@ void StringScene::draw_forces(const DrawnRig& model, const DrillstringOptions& o
     const Vector3d off = node.position - node.axis.position;
     const Vector3d out = off.norm() > 1e-9 ? Vector3d(off.normalized()) : node.axis.side;
     const Vector3d wall = node.axis.position + options.exaggeration * model.rig->hole_radius(s.md[i]) * out;
-    add_arrow(mesh_, wall + force_scale_ * force[i] * out, wall, 0.06 * hole, force_color,
-              options.coarse ? 3 : 6);
+    add_arrow(mesh_, wall + force_scale_ * force[i] * out, wall, 0.06 * hole, force_color, options.coarse ? 3 : 6);
   }
   shade(mesh_);
   forces_.set(mesh_);

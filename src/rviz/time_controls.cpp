@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "time_controls.h"
 
 #include <std_srvs/Trigger.h>
@@ -20,7 +21,10 @@ constexpr double long_patience = 600.0;  // of many frames [s]
 }
 
 TimeControls::TimeControls(RigLink& link, QWidget* parent)
-    : Controls("Time", link, parent), frames_(new QSpinBox(this)), speed_(new QDoubleSpinBox(this)), in_force_(make_reading("speed in force", this))
+    : Controls("Time", link, parent),
+      frames_(new QSpinBox(this)),
+      speed_(new QDoubleSpinBox(this)),
+      in_force_(make_reading("speed in force", this))
 {
   QPushButton* pause = make_button("Pause", "time pause", this);
   QPushButton* resume = make_button("Resume", "time resume", this);

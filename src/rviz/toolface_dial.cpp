@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "toolface_dial.h"
 
 #include <QPainter>
@@ -32,7 +33,8 @@ void ToolfaceDial::show_toolfaces(const std::vector<double>& toolfaces, bool mag
   magnetic_ = magnetic;
   stale_ = stale;
   setAccessibleDescription(toolfaces.empty() ? QString("none yet")
-                                             : shown_text(toolfaces.back(), Dimension::angle, UnitSystem::si) + (magnetic ? " magnetic" : " gravity") +
+                                             : shown_text(toolfaces.back(), Dimension::angle, UnitSystem::si) +
+                                                   (magnetic ? " magnetic" : " gravity") +
                                                    QStringLiteral(", %1 in history").arg(toolfaces.size()));
   update();
 }
@@ -105,7 +107,8 @@ void ToolfaceDial::paintEvent(QPaintEvent*)
   painter.setFont(large);
   painter.setPen(QColor(stale_ || toolfaces_.empty() ? look::off : look::text));
   QString text = "none yet";
-  if (!toolfaces_.empty()) text = QString::fromStdString(number_text(toolfaces_.back(), Dimension::angle, UnitSystem::si)) + QChar(0xb0);
+  if (!toolfaces_.empty())
+    text = QString::fromStdString(number_text(toolfaces_.back(), Dimension::angle, UnitSystem::si)) + QChar(0xb0);
   const QRectF box(centre.x() - radius, centre.y() - 0.25 * radius, 2 * radius, 0.5 * radius);
   painter.drawText(box, Qt::AlignCenter, text);
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_RVIZ_TOOLFACE_DIAL_H
 #define DRILL_RIG_SIM_RVIZ_TOOLFACE_DIAL_H
 
@@ -6,8 +7,8 @@
 
 namespace drill_rig_sim::console
 {
-/// Where the bend points, as looked at downhole: the latest toolface outside, earlier ones further in and fainter. Up is the high side, or north for a
-/// magnetic toolface. Its accessible description is what it shows.
+/// Where the bend points, as looked at downhole: the latest toolface outside, earlier ones further in and fainter. Up is the high
+/// side, or north for a magnetic toolface. Its accessible description is what it shows.
 class ToolfaceDial : public QWidget
 {
   Q_OBJECT

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "top_drive_controls.h"
 
 #include <QCheckBox>
@@ -20,7 +21,8 @@ struct Needs
 {
   explicit Needs(int mode) : goal(goal_of(static_cast<TopDriveMode>(mode))) {}
   DriveGoal goal;
-  bool speed = goal != DriveGoal::torque, torque = goal == DriveGoal::torque, angle = turns_to_angle(goal), amplitudes = goal == DriveGoal::swing;
+  bool speed = goal != DriveGoal::torque, torque = goal == DriveGoal::torque, angle = turns_to_angle(goal),
+       amplitudes = goal == DriveGoal::swing;
 };
 
 QString text_of(const TopDriveCommand& c, UnitSystem system)
@@ -185,7 +187,8 @@ void TopDriveControls::show_news(const News& news)
   angle_now_ = news.state->top_drive_angle;
   limit_in_force_ = news.state->top_drive.torque_limit;
   if (follows()) follow(*news.state);
-  tell(in_force_, "in force: " + text_of(news.state->top_drive, units()) + (news.state->top_drive_brake_set != 0 ? ", brake set" : ""));
+  tell(in_force_,
+       "in force: " + text_of(news.state->top_drive, units()) + (news.state->top_drive_brake_set != 0 ? ", brake set" : ""));
 }
 
 }  // namespace drill_rig_sim::console

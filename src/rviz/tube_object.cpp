@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "tube_object.h"
 
 #include <OgreSceneNode.h>
@@ -23,7 +24,8 @@ void TubeObject::set(const std::vector<Ring>& rings, int sides, bool inside, boo
   used_ = 0;
   for (std::size_t first = 0; first + 1 < rings.size(); first += rings_a_piece)
   {
-    const std::size_t end = std::min(first + rings_a_piece + 1, rings.size());  // a piece begins with the ring that the one before ends with
+    const std::size_t end =
+        std::min(first + rings_a_piece + 1, rings.size());  // a piece begins with the ring that the one before ends with
     part_.assign(rings.begin() + static_cast<std::ptrdiff_t>(first), rings.begin() + static_cast<std::ptrdiff_t>(end));
     mesh_.clear();
     add_tube(mesh_, part_, sides, inside);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SRC_RVIZ_TUBE_OBJECT_H
 #define DRILL_RIG_SIM_SRC_RVIZ_TUBE_OBJECT_H
 
@@ -23,7 +24,8 @@ public:
   TubeObject(const TubeObject&) = delete;
   TubeObject& operator=(const TubeObject&) = delete;
 
-  /// Draws the tube through these rings, shaded, seen from outside or `inside` from within; with `closed` a disc at the last ring.
+  /// Draws the tube through these rings, shaded, seen from outside or `inside` from within; with `closed` a disc at the last
+  /// ring.
   void set(const std::vector<Ring>& rings, int sides, bool inside = false, bool closed = false);
   void show(bool shown);
   /// Takes all pieces off the node.
@@ -34,7 +36,7 @@ private:
   MeshStyle style_;
   std::vector<std::unique_ptr<MeshObject>> pieces_;
   std::size_t used_ = 0;  // of the pieces
-  MeshData mesh_;  // keep their memory
+  MeshData mesh_;         // keep their memory
   std::vector<Ring> part_;
 };
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "unit_box.h"
 
 #include <QLineEdit>
@@ -25,7 +26,8 @@ void UnitBox::lay_out(double value)
   setDecimals(unit.decimals);
   setSuffix(name.isEmpty() ? "" : " " + name);
   setRange(least_ * unit.per_si, most_ * unit.per_si);
-  setSingleStep(std::pow(10.0, std::floor(std::log10(std::max(std::abs(value * unit.per_si), std::pow(10.0, 1 - unit.decimals))))) / 2.0);
+  setSingleStep(
+      std::pow(10.0, std::floor(std::log10(std::max(std::abs(value * unit.per_si), std::pow(10.0, 1 - unit.decimals))))) / 2.0);
   set_si(value);
 }
 

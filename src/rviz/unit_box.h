@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_RVIZ_UNIT_BOX_H
 #define DRILL_RIG_SIM_RVIZ_UNIT_BOX_H
 
@@ -19,7 +20,8 @@ public:
   void set_dimension(Dimension dimension);
   double si() const;
   void set_si(double value);
-  /// Shows the set point in force [SI], unless a user has edited the number. An edited number is bold on a blue ground, and described as "edited".
+  /// Shows the set point in force [SI], unless a user has edited the number. An edited number is bold on a blue ground, and
+  /// described as "edited".
   void follow(double in_force);
   bool is_edited() const { return edited_; }
   /// The number shown is the user's now.
@@ -35,7 +37,7 @@ private:
   Dimension dimension_;
   UnitSystem system_ = UnitSystem::si;
   double least_, most_;
-  double kept_;          // what was set in SI, until another is typed [SI]
+  double kept_;  // what was set in SI, until another is typed [SI]
   double kept_shown_ = 0.0;
   bool follows_ = false, edited_ = false;
 };

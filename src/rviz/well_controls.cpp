@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "well_controls.h"
 
 #include <ros/package.h>
@@ -16,11 +17,12 @@ namespace drill_rig_sim::console
 {
 namespace
 {
-constexpr double deepest = 20000.0;   // [m]
-constexpr double patience = 120.0;    // until a new string hangs at rest [s]
+constexpr double deepest = 20000.0;  // [m]
+constexpr double patience = 120.0;   // until a new string hangs at rest [s]
 
 /// `folder`: of the package, where such files are.
-QFileDialog* ask_for_file(QWidget* parent, const QString& title, const QString& name, const QString& filter, const std::string& folder)
+QFileDialog* ask_for_file(QWidget* parent, const QString& title, const QString& name, const QString& filter,
+                          const std::string& folder)
 {
   auto* dialog = new QFileDialog(parent, title);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
@@ -64,7 +66,11 @@ WellControls::WellControls(RigLink& link, QWidget* parent)
   answer_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
   connect(browse, &QPushButton::clicked, this, &WellControls::ask_for_scene);
   connect(reset_button, &QPushButton::clicked, this,
-          [this] { ask(this, "well reset question", "Reset the well? The present run is lost, unless a snapshot holds it.", "Reset", [this] { reset(); }); });
+          [this]
+          {
+            ask(this, "well reset question", "Reset the well? The present run is lost, unless a snapshot holds it.", "Reset",
+                [this] { reset(); });
+          });
   connect(load, &QPushButton::clicked, this, &WellControls::ask_for_survey);
   connect(&link, &RigLink::said, this, &WellControls::take_answer);
 }
@@ -87,7 +93,8 @@ void WellControls::reset()
 
 void WellControls::ask_for_survey()
 {
-  QFileDialog* dialog = ask_for_file(this, "Survey", "survey file dialog", "Surveys (*.csv *.txt *.xml);;All files (*)", "/config/surveys");
+  QFileDialog* dialog =
+      ask_for_file(this, "Survey", "survey file dialog", "Surveys (*.csv *.txt *.xml);;All files (*)", "/config/surveys");
   connect(dialog, &QFileDialog::fileSelected, this, &WellControls::load_survey);
   dialog->open();
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "well_scene.h"
 
 #include <OgreSceneManager.h>
@@ -11,9 +12,9 @@ using Eigen::Vector3d;
 
 namespace
 {
-constexpr Color planned{0.45f, 0.75f, 1.00f}, drilled{1.00f, 0.85f, 0.30f}, off_plan{1.00f, 0.45f, 0.35f}, station{0.95f, 0.95f, 0.95f},
-    trail{0.30f, 1.00f, 0.95f};
-constexpr double most_rings = 1500.0;   // of the wall
+constexpr Color planned{0.45f, 0.75f, 1.00f}, drilled{1.00f, 0.85f, 0.30f}, off_plan{1.00f, 0.45f, 0.35f},
+    station{0.95f, 0.95f, 0.95f}, trail{0.30f, 1.00f, 0.95f};
+constexpr double most_rings = 1500.0;  // of the wall
 constexpr int wall_sides = 24, coarse_wall_sides = 10;
 constexpr double trail_spacing = 0.01;  // of the bit's places that are kept [m]
 constexpr std::size_t trail_length = 1000;
@@ -85,7 +86,8 @@ void WellScene::draw_wall(const DrawnRig& model, const DrillstringOptions& optio
 {
   std::vector<Ring> rings;
   if (options.wall != WallStyle::none)
-    rings = wall_rings(*model.axis, *model.rig, shoe(model, options), options.exaggeration, std::max(1.0, model.axis->depth() / most_rings));
+    rings = wall_rings(*model.axis, *model.rig, shoe(model, options), options.exaggeration,
+                       std::max(1.0, model.axis->depth() / most_rings));
   const bool whole = options.wall == WallStyle::whole;
   if (whole)
     for (Ring& ring : rings) ring.color.a = whole_opacity;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "winch_controls.h"
 
 #include <QGridLayout>
@@ -46,9 +47,15 @@ void WinchControls::brake(bool on)
   link().command(command);
 }
 
-void WinchControls::let_go() { dead_man_->let_go(); }
+void WinchControls::let_go()
+{
+  dead_man_->let_go();
+}
 
-bool WinchControls::is_held() const { return dead_man_->is_held(); }
+bool WinchControls::is_held() const
+{
+  return dead_man_->is_held();
+}
 
 void WinchControls::show_news(const News& news)
 {

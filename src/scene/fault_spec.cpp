@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/scene/fault_spec.h"
 
 #include <cmath>
@@ -36,7 +37,8 @@ std::vector<std::string> words_of(const ActiveFaults& faults)
   {
     if (faults.of_rig >> k & 1u) words.emplace_back(fault_traits[k].word);
     for (int g = 0; g < gauge_count; ++g)
-      if (faults.of_gauges[static_cast<std::size_t>(g)] >> k & 1u) words.push_back(std::string(fault_traits[k].word) + " of " + gauge_names[g]);
+      if (faults.of_gauges[static_cast<std::size_t>(g)] >> k & 1u)
+        words.push_back(std::string(fault_traits[k].word) + " of " + gauge_names[g]);
   }
   return words;
 }

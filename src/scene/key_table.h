@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SRC_SCENE_KEY_TABLE_H
 #define DRILL_RIG_SIM_SRC_SCENE_KEY_TABLE_H
 
@@ -80,8 +81,8 @@ struct Nested
 };
 
 template <class Spec>
-using Field = std::variant<double Spec::*, int Spec::*, std::string Spec::*, Choice<Spec>, WordSet<Spec>, CountOrFill<Spec>, Flag<Spec>,
-                           Inside<Spec>, Nested>;
+using Field = std::variant<double Spec::*, int Spec::*, std::string Spec::*, Choice<Spec>, WordSet<Spec>, CountOrFill<Spec>,
+                           Flag<Spec>, Inside<Spec>, Nested>;
 
 /// Bits of the kinds (of string part, of bit law) that a row belongs to.
 constexpr unsigned every_kind = ~0u;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/scene/new_well.h"
 
 #include <algorithm>
@@ -91,8 +92,9 @@ Scene with_well(const Scene& scene, double off_bottom, const NewWell& well)
 Scene with_bit_depth(const Scene& scene, double bit_depth)
 {
   if (!(bit_depth >= 0.0 && bit_depth <= scene.well.hole_depth))
-    throw std::runtime_error("bit_depth is " + std::to_string(bit_depth) + "; allowed is 0 (as the scene says) to the hole's depth, " +
-                             std::to_string(scene.well.hole_depth) + " m");
+    throw std::runtime_error("bit_depth is " + std::to_string(bit_depth) +
+                             "; allowed is 0 (as the scene says) to the hole's depth, " + std::to_string(scene.well.hole_depth) +
+                             " m");
   Scene next = scene;
   if (bit_depth > 0.0) next.start.bit_depth = bit_depth;
   return next;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "number_with_unit.h"
 
 #include <cctype>
@@ -37,7 +38,8 @@ FoundUnit find_in(const KeyUnits& units, const std::string& written)
 {
   if (!units.family) return {};
   if (units.suffix.empty()) return find_unit(*units.family, written);
-  return ends_with(written, units.suffix) ? find_unit(*units.family, written.substr(0, written.size() - units.suffix.size())) : FoundUnit();
+  return ends_with(written, units.suffix) ? find_unit(*units.family, written.substr(0, written.size() - units.suffix.size()))
+                                          : FoundUnit();
 }
 
 std::string allowed_units(const KeyUnits& units, const std::string& key_unit)
@@ -63,7 +65,8 @@ std::string shown_in(const InputUnit& unit, double in_key_unit, bool is_first)
 
 bool may_begin_a_unit(const std::string& text)
 {
-  return std::isalpha(static_cast<unsigned char>(text[0])) || text[0] == '%' || text[0] == '"' || text[0] == '\'' || static_cast<unsigned char>(text[0]) >= 0x80 || text.compare(0, 2, "1/") == 0;
+  return std::isalpha(static_cast<unsigned char>(text[0])) || text[0] == '%' || text[0] == '"' || text[0] == '\'' ||
+         static_cast<unsigned char>(text[0]) >= 0x80 || text.compare(0, 2, "1/") == 0;
 }
 // takes the fraction of 8-1/2 in or 8 1/2 in from where a whole number ends; 0 where there is none
 long double take_fraction(const std::string& text, std::size_t& end)
@@ -106,7 +109,8 @@ std::string find_input_unit(const WrittenNumber& number, const std::string& key_
   const std::string own = plain_unit(key_unit);
   const KeyUnits units = units_of(own);
   const FoundUnit found = find_in(units, written);
-  if (!found.choices.empty()) return written + " is ambiguous; allowed: " + found.choices + (units.suffix.empty() ? "" : ", each with " + units.suffix);
+  if (!found.choices.empty())
+    return written + " is ambiguous; allowed: " + found.choices + (units.suffix.empty() ? "" : ", each with " + units.suffix);
   if (!found.unit && written != own) return refusal(units, written, key_unit);
   unit.name = written;
   if (found.unit && written != own) unit.factor = found.unit->si / find_in(units, own).unit->si;
@@ -117,7 +121,8 @@ std::string in_input_unit(const std::string& message, const std::string& key_uni
 {
   if (unit.name.empty() || unit.name == plain_unit(key_unit)) return message;
   static const std::regex number("-?[0-9][0-9.]*(e[-+]?[0-9]+)?");
-  const std::regex numbers_of_unit("(-?[0-9][0-9.]*(e[-+]?[0-9]+)?( to (below )?))?-?[0-9][0-9.]*(e[-+]?[0-9]+)? " + key_unit + "(?![A-Za-z0-9/^])");
+  const std::regex numbers_of_unit("(-?[0-9][0-9.]*(e[-+]?[0-9]+)?( to (below )?))?-?[0-9][0-9.]*(e[-+]?[0-9]+)? " + key_unit +
+                                   "(?![A-Za-z0-9/^])");
   std::string out;
   bool is_first = true;
   auto at = message.begin();

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SRC_SCENE_NUMBER_WITH_UNIT_H
 #define DRILL_RIG_SIM_SRC_SCENE_NUMBER_WITH_UNIT_H
 
@@ -25,7 +26,8 @@ struct InputUnit
 /// Splits a text into a decimal number and what may be a unit, whatever the process's locale; false if it is no such text.
 bool split_number(const std::string& text, WrittenNumber& number);
 
-/// The unit of a number for a key whose own unit is `key_unit`, as the table of keys spells it. Returns what is wrong, with the allowed units, or "".
+/// The unit of a number for a key whose own unit is `key_unit`, as the table of keys spells it. Returns what is wrong, with the
+/// allowed units, or "".
 std::string find_input_unit(const WrittenNumber& number, const std::string& key_unit, InputUnit& unit);
 
 /// A message about a key in its own unit, with all its numbers of this unit in the unit of the input.

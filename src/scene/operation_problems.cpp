@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "operation_problems.h"
 
 #include <algorithm>
@@ -13,7 +14,10 @@ namespace
 class OperationCheck
 {
 public:
-  OperationCheck(const Scene& scene, std::size_t i, ProblemList& problems) : scene_(scene), o_(scene.operations[i]), i_(i), problems_(problems) {}
+  OperationCheck(const Scene& scene, std::size_t i, ProblemList& problems)
+      : scene_(scene), o_(scene.operations[i]), i_(i), problems_(problems)
+  {
+  }
 
   void limits()
   {
@@ -27,8 +31,10 @@ public:
     const bool anywhere = !std::isnan(o_.to_depth) || !std::isnan(o_.distance) || !std::isnan(o_.time);
     const bool drills = traits_of(o_.kind).drills;
     if (drills && !anywhere) add("", "has no end condition, needed: to_depth, distance or time");
-    if (o_.kind == OperationKind::pick_up && !anywhere && std::isnan(o_.overpull)) add("", "has no end condition, needed: to_depth, distance, time or overpull");
-    if (o_.kind == OperationKind::slack_off && !anywhere && std::isnan(o_.weight)) add("", "has no end condition, needed: to_depth, distance, time or weight");
+    if (o_.kind == OperationKind::pick_up && !anywhere && std::isnan(o_.overpull))
+      add("", "has no end condition, needed: to_depth, distance, time or overpull");
+    if (o_.kind == OperationKind::slack_off && !anywhere && std::isnan(o_.weight))
+      add("", "has no end condition, needed: to_depth, distance, time or weight");
   }
 
   /// With the stand that hangs there at the start.
@@ -41,7 +47,8 @@ public:
     if (o_.to_depth > deepest + nothing)
       add("to_depth", metres(o_.to_depth) + " is deeper than the block can lower the bit, allowed: up to " + metres(deepest));
     if (o_.kind == OperationKind::pick_up && o_.to_depth < highest - nothing)
-      add("to_depth", metres(o_.to_depth) + " is shallower than the block can raise the bit, allowed: from " + metres(highest) + " on");
+      add("to_depth",
+          metres(o_.to_depth) + " is shallower than the block can raise the bit, allowed: from " + metres(highest) + " on");
   }
 
   void needs()
@@ -66,7 +73,8 @@ private:
   {
     const auto drills = [](const Operation& before) { return traits_of(before.kind).drills; };
     const auto end = scene_.operations.begin() + static_cast<std::ptrdiff_t>(i_);
-    if (scene_.program.empty() && std::none_of(scene_.operations.begin(), end, drills) && o_.to_depth > scene_.well.hole_depth + nothing)
+    if (scene_.program.empty() && std::none_of(scene_.operations.begin(), end, drills) &&
+        o_.to_depth > scene_.well.hole_depth + nothing)
       add("to_depth", metres(o_.to_depth) + " is below the hole's bottom, allowed: down to " + metres(scene_.well.hole_depth));
   }
 
@@ -80,7 +88,8 @@ private:
   void limit(const char* key, double value, double most, const char* unit, double scale)
   {
     if (std::abs(value) <= most * (1.0 + 1e-12)) return;
-    add(key, plain(value / scale) + " " + unit + " is beyond the rig's limit, allowed: up to " + plain(most / scale) + " " + unit);
+    add(key,
+        plain(value / scale) + " " + unit + " is beyond the rig's limit, allowed: up to " + plain(most / scale) + " " + unit);
   }
 
   const Scene& scene_;
@@ -95,7 +104,8 @@ std::string what_the_crew_lacks(const Scene& scene)
   if (scene.string.empty()) return "";
   if (scene.numerics.integrator == IntegratorKind::ida) return "not available with the reference (ida)";
   const HoistingSpec& h = scene.rig.hoisting;
-  const double travel = h.highest_block_height - h.lowest_block_height, needed = room_for_stand(h.stand_joints * scene.string.back().joint_length + lift_over_waves(scene.rig.heave));
+  const double travel = h.highest_block_height - h.lowest_block_height,
+               needed = room_for_stand(h.stand_joints * scene.string.back().joint_length + lift_over_waves(scene.rig.heave));
   return travel < needed ? "the block travels " + metres(travel) + ", needed for a stand: " + metres(needed) : "";
 }
 

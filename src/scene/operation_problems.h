@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SRC_SCENE_OPERATION_PROBLEMS_H
 #define DRILL_RIG_SIM_SRC_SCENE_OPERATION_PROBLEMS_H
 
@@ -6,8 +7,8 @@
 
 namespace drill_rig_sim
 {
-/// What does not go together in a scene's operations: operations without an end, beyond the rig's limits or the block's travel, or without what
-/// they need.
+/// What does not go together in a scene's operations: operations without an end, beyond the rig's limits or the block's travel,
+/// or without what they need.
 ProblemList operation_problems(const Scene& scene);
 
 /// Why the rig's crew (crew/crew.h) cannot make connections in this scene, one line; empty: it can.

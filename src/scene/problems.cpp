@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "problems.h"
 
 #include <algorithm>
@@ -21,14 +22,18 @@ std::string joined(const std::vector<std::string>& lines)
   return text;
 }
 
-constexpr bool goes_on(char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; }
+constexpr bool goes_on(char c)
+{
+  return (static_cast<unsigned char>(c) & 0xc0) == 0x80;
+}
 
 // letters and signs of Latin, Greek, Cyrillic, Chinese: a character of two or three bytes
 bool is_shown(const std::string& character)
 {
   unsigned code = static_cast<unsigned char>(character.front()) & (character.size() == 2 ? 0x1fu : 0x0fu);
   for (std::size_t i = 1; i < character.size(); ++i) code = code << 6 | (static_cast<unsigned char>(character[i]) & 0x3fu);
-  return (code > 0xa0 && code < 0x250 && code != 0xad) || (code > 0x390 && code < 0x530 && code != 0x3a2) || (code >= 0x4e00 && code < 0xa000);
+  return (code > 0xa0 && code < 0x250 && code != 0xad) || (code > 0x390 && code < 0x530 && code != 0x3a2) ||
+         (code >= 0x4e00 && code < 0xa000);
 }
 
 // what a broken file holds must not reach the one-line messages: control characters, line breaks, half of an UTF-8 sequence

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SRC_SCENE_PROBLEMS_H
 #define DRILL_RIG_SIM_SRC_SCENE_PROBLEMS_H
 
@@ -22,7 +23,10 @@ public:
   void note_setting(const std::string& path) { lines_[path] = from_outside; }
   bool has(const std::string& path) const { return lines_.count(path) != 0; }
   /// A number of key `path`, whose own unit is `key_unit`, was given in another one. A station has three numbers.
-  void note_unit(const std::string& path, const std::string& key_unit, const InputUnit& unit) { units_[path].push_back({key_unit, unit}); }
+  void note_unit(const std::string& path, const std::string& key_unit, const InputUnit& unit)
+  {
+    units_[path].push_back({key_unit, unit});
+  }
 
   /// A problem with the key `path`, on its own line or, if it was left out, on that of the block around it.
   void add(const std::string& path, const std::string& text) { add_at(line_of(path), path, text); }

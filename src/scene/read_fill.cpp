@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "read_fill.h"
 
 #include "drill_rig_sim/well/problem.h"
@@ -9,14 +10,17 @@ namespace drill_rig_sim
 {
 namespace
 {
-void read_row(const YAML::Node& node, const std::string& path, const Range& allowed, std::vector<FillLevel>& fill, Problems& problems)
+void read_row(const YAML::Node& node, const std::string& path, const Range& allowed, std::vector<FillLevel>& fill,
+              Problems& problems)
 {
   FillLevel row;
-  if (!node.IsSequence() || node.size() != 2) return problems.add(path, describe(node) + " is given, allowed: [bit depth m, level m]");
+  if (!node.IsSequence() || node.size() != 2)
+    return problems.add(path, describe(node) + " is given, allowed: [bit depth m, level m]");
   const bool depth_read = read_number(node[0], path, allowed, "m", row.bit_depth, problems);
   if (!read_number(node[1], path, allowed, "m", row.level, problems) || !depth_read) return;
   if (!fill.empty() && row.bit_depth <= fill.back().bit_depth)
-    problems.add_in_input_unit(path, "bit depth " + metres(row.bit_depth) + " is not below the row before it, needed: more than " + metres(fill.back().bit_depth));
+    problems.add_in_input_unit(path, "bit depth " + metres(row.bit_depth) +
+                                         " is not below the row before it, needed: more than " + metres(fill.back().bit_depth));
   fill.push_back(row);
 }
 }  // namespace

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "read_hydraulics.h"
 
 #include <map>
@@ -20,7 +21,8 @@ template <class Read>
 void read_rows(const YAML::Node& node, const std::string& path, const std::string& allowed, Problems& problems, const Read& read)
 {
   if (!node.IsSequence() || node.size() == 0)
-    return problems.add(path, (node.IsSequence() ? std::string("an empty list") : describe(node)) + " is given, allowed: a list of " + allowed);
+    return problems.add(
+        path, (node.IsSequence() ? std::string("an empty list") : describe(node)) + " is given, allowed: a list of " + allowed);
   for (std::size_t i = 0; i < node.size(); ++i)
   {
     problems.note(item_key(path, i), line_of(node[i]));
@@ -29,8 +31,8 @@ void read_rows(const YAML::Node& node, const std::string& path, const std::strin
 }
 
 /// Two numbers of a row; false where they are none.
-bool read_pair(const YAML::Node& node, const std::string& path, const std::string& allowed, const Range (&ranges)[2], const char* const (&units)[2],
-               double (&values)[2], Problems& problems)
+bool read_pair(const YAML::Node& node, const std::string& path, const std::string& allowed, const Range (&ranges)[2],
+               const char* const (&units)[2], double (&values)[2], Problems& problems)
 {
   if (!node.IsSequence() || node.size() != 2)
   {
@@ -64,8 +66,10 @@ void check_numbers(const YAML::Node& node, const std::string& path, RheologyLaw 
   {
     if (key.kinds == every_kind || !(key.kinds & kind(law))) continue;
     const bool given = node[key.name].IsDefined();
-    if (has_readings && given) problems.add(join(path, key.name), "is given together with readings, which define it, allowed: one of the two");
-    if (!has_readings && !given) problems.add(join(path, key.name), std::string("is missing: ") + key.meaning + "; or give readings");
+    if (has_readings && given)
+      problems.add(join(path, key.name), "is given together with readings, which define it, allowed: one of the two");
+    if (!has_readings && !given)
+      problems.add(join(path, key.name), std::string("is missing: ") + key.meaning + "; or give readings");
   }
 }
 
@@ -77,14 +81,16 @@ void read_surface_lines(const YAML::Node& node, const std::string& path, std::ve
             [&](const YAML::Node& row, const std::string& at)
             {
               double values[2] = {};
-              if (read_pair(row, at, allowed, {above(0.0, 1000.0), between(0.02, 0.5)}, {"m", "m"}, values, problems)) lines.push_back({values[0], values[1]});
+              if (read_pair(row, at, allowed, {above(0.0, 1000.0), between(0.02, 0.5)}, {"m", "m"}, values, problems))
+                lines.push_back({values[0], values[1]});
             });
 }
 
 void read_rheology(const YAML::Node& node, const std::string& path, RheologySpec& rheology, Problems& problems)
 {
   int word = 0;
-  if (!node.IsMap() || !node["law"].IsDefined()) return problems.add(join(path, "law"), "is missing, allowed: " + to_text(rheology_words));
+  if (!node.IsMap() || !node["law"].IsDefined())
+    return problems.add(join(path, "law"), "is missing, allowed: " + to_text(rheology_words));
   if (!read_word(node["law"], join(path, "law"), rheology_words, word, problems)) return;
   const std::map<std::string, YAML::Node> entries = read_block(node, path, rheology_keys, 1u << word, rheology, problems);
   const auto readings = entries.find("readings");
@@ -99,7 +105,8 @@ void refuse_without_rheology(const char* key, Problems& problems)
 
 void refuse_beside_rheology(const char* key, const char* instead, Problems& problems)
 {
-  if (problems.has(key)) problems.add(key, std::string("is given together with mud.rheology, ") + instead + ", allowed: one of the two");
+  if (problems.has(key))
+    problems.add(key, std::string("is given together with mud.rheology, ") + instead + ", allowed: one of the two");
 }
 
 /// Whether its viscosity is mud.viscosity.
@@ -146,10 +153,12 @@ void check_hydraulics(const Scene& scene, Problems& problems)
     problems.add("string[0].nozzle_area", "is given together with nozzles, allowed: one of the two");
   if (!scene.rheology)
   {
-    for (const char* key : {"string[0].nozzles", "string[0].nozzle_area", "rig.mud_pump.surface_lines"}) refuse_without_rheology(key, problems);
+    for (const char* key : {"string[0].nozzles", "string[0].nozzle_area", "rig.mud_pump.surface_lines"})
+      refuse_without_rheology(key, problems);
     return;
   }
-  for (const char* key : {"rig.mud_pump.pressure_coefficient", "rig.mud_pump.loss_exponent"}) refuse_beside_rheology(key, "which computes the losses", problems);
+  for (const char* key : {"rig.mud_pump.pressure_coefficient", "rig.mud_pump.loss_exponent"})
+    refuse_beside_rheology(key, "which computes the losses", problems);
   if (!is_by_viscosity(*scene.rheology)) refuse_beside_rheology("mud.viscosity", "which defines the viscosity", problems);
   if (is_by_viscosity(*scene.rheology) && scene.mud.viscosity <= 0.0)
     problems.add("mud.viscosity", "0 is given together with a newtonian mud.rheology, allowed: above 0");

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/scene/read_scene.h"
 
 #include <yaml-cpp/yaml.h>
@@ -65,7 +66,8 @@ public:
     project(scene);
     check(scene);
     problems_.raise();
-    for (const std::string& value : unlikely_values(scene, problems_.has("well.stations"))) scene.remarks.push_back(one_line(name_) + ": " + value);
+    for (const std::string& value : unlikely_values(scene, problems_.has("well.stations")))
+      scene.remarks.push_back(one_line(name_) + ": " + value);
     return scene;
   }
 
@@ -87,7 +89,8 @@ private:
   }
 
   template <class Spec>
-  void read_one(const Entries& entries, const std::string& block, const char* key, const Table<Spec>& table, Spec& spec, const char* signal_unit = "")
+  void read_one(const Entries& entries, const std::string& block, const char* key, const Table<Spec>& table, Spec& spec,
+                const char* signal_unit = "")
   {
     in(entries, block, key,
        [&](const YAML::Node& n, const std::string& p) { read_block(n, p, table, every_kind, spec, problems_, signal_unit); });
@@ -254,7 +257,8 @@ private:
        });
     if (part.bit)
     {
-      in(entries, path, "nozzles", [&](const YAML::Node& n, const std::string& p) { read_nozzles(n, p, part.bit->nozzles, problems_); });
+      in(entries, path, "nozzles",
+         [&](const YAML::Node& n, const std::string& p) { read_nozzles(n, p, part.bit->nozzles, problems_); });
       read_one(entries, path, "bottom", bit_bottom_keys, part.bit->bottom);
       in(entries, path, "torque", [&](const YAML::Node& n, const std::string& p) { read_bit_torque(n, p, part.bit->torque); });
       const BitLawTraits law = traits_of(part.bit->torque.model);
@@ -263,7 +267,8 @@ private:
                                                 " torque model, which computes the weight on bit; leave it out");
     }
     if (part.stiffness.axial > 0.0 && entries.count("poisson_ratio"))
-      problems_.add(join(path, "poisson_ratio"), "is given together with the stiffnesses, which define it, allowed: one of the two");
+      problems_.add(join(path, "poisson_ratio"),
+                    "is given together with the stiffnesses, which define it, allowed: one of the two");
     finish_length(entries, path, part);
   }
 
@@ -285,13 +290,8 @@ private:
   static std::string unit_of_fault(const YAML::Node& line)
   {
     const auto word_of = [&](const char* key)
-    {
-      return line.IsMap() && line[key].IsDefined() && line[key].IsScalar() ? line[key].Scalar() : std::string();
-    };
-    const auto* const fault = std::find_if(std::begin(fault_traits), std::end(fault_traits), [&](const FaultTraits& f) { return f.word == word_of("fault"); });
-    const auto* const gauge = std::find(std::begin(gauge_names), std::end(gauge_names), word_of("fault_target"));
-    if (fault == std::end(fault_traits)) return "";
-    return unit_of(static_cast<FaultKind>(fault - fault_traits), gauge == std::end(gauge_names) ? Gauge::hook_load : static_cast<Gauge>(gauge - gauge_names));
+    { return line.IsMap() && line[key].IsDefined() && line[key].IsScalar() ? line[key].Scalar() : std::string(); };
+    return unit_of(word_of("fault"), word_of("fault_target"));
   }
 
   void read_operations(const Entries& top, std::vector<Operation>& operations)
@@ -348,7 +348,8 @@ private:
     const Entries entries = read_block(node, path, rig_keys, every_kind, rig, problems_);
     read_one(entries, path, "hoisting", hoisting_keys, rig.hoisting);
     read_top_drive(entries, path, rig.top_drive);
-    in(entries, path, "mud_pump", [&](const YAML::Node& n, const std::string& p) { read_mud_pump(n, p, rig.mud_pump, problems_); });
+    in(entries, path, "mud_pump",
+       [&](const YAML::Node& n, const std::string& p) { read_mud_pump(n, p, rig.mud_pump, problems_); });
     read_one(entries, path, "heave", heave_keys, rig.heave);
   }
 

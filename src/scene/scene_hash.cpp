@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/scene/scene_hash.h"
 
 #include "drill_rig_sim/math/hash.h"
@@ -110,7 +111,10 @@ private:
     }
   }
 
-  void add_number(double number) { hash_ = hash_bytes(&number, sizeof number, hash_); }
+  void add_number(double number)
+  {
+    hash_ = hash_bytes(&number, sizeof number, hash_);
+  }
 
   std::uint64_t hash_ = hash_bytes("", 0);
 };

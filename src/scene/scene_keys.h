@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SRC_SCENE_SCENE_KEYS_H
 #define DRILL_RIG_SIM_SRC_SCENE_SCENE_KEYS_H
 
@@ -34,6 +35,8 @@ extern const std::vector<const char*> operation_words;
 const char* unit_of(Gauge gauge) noexcept;
 /// The unit of a fault's magnitude, of the gauge where it is a sensor's; "": it is a factor, or there is none.
 std::string unit_of(FaultKind fault, Gauge gauge);
+/// The same by the words of a program's line: its fault and the gauge that it is of; "" where the fault is not known.
+std::string unit_of(const std::string& fault, const std::string& gauge);
 
 extern const Table<Scene> scene_keys;
 extern const Table<WellSpec> well_keys;
@@ -71,9 +74,18 @@ extern const Table<HookLoadSpec> hook_load_keys;
 extern const Table<PressureSpec> pressure_keys;
 extern const Table<SensorSpec> sensor_keys;
 /// The keys of a gauge.
-inline const Table<HookLoadSpec>& keys_of(const HookLoadSpec&) { return hook_load_keys; }
-inline const Table<PressureSpec>& keys_of(const PressureSpec&) { return pressure_keys; }
-inline const Table<SensorSpec>& keys_of(const SensorSpec&) { return sensor_keys; }
+inline const Table<HookLoadSpec>& keys_of(const HookLoadSpec&)
+{
+  return hook_load_keys;
+}
+inline const Table<PressureSpec>& keys_of(const PressureSpec&)
+{
+  return pressure_keys;
+}
+inline const Table<SensorSpec>& keys_of(const SensorSpec&)
+{
+  return sensor_keys;
+}
 extern const Table<ProgramStep> program_keys;
 extern const Table<Operation> operation_keys;
 

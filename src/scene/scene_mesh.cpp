@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/scene/scene_mesh.h"
 
 #include <algorithm>
@@ -12,15 +13,16 @@ namespace drill_rig_sim
 {
 namespace
 {
-constexpr double joint = 9.5;             // [m]
+constexpr double joint = 9.5;                                                  // [m]
 constexpr double half_joint = 4.75, third_joint = 3.17, quarter_joint = 2.38;  // [m]
-constexpr double lying = 3.0 * degree;    // a hole that inclines more carries the pipe in it [rad]
+constexpr double lying = 3.0 * degree;            // a hole that inclines more carries the pipe in it [rad]
 constexpr double straight = 1.5 * degree / 30.0;  // a hole that bends more [rad/m]
-constexpr double least_torque_range = 5e3;  // of a rig that drills [N m]
-constexpr double margin = 45.0;           // [m]
-constexpr double two_stands = 57.0;       // [m]
-constexpr int six_joints = 6;             // of them
-constexpr double thick_walled = 0.7;      // heavy-weight pipe's bore is 0.55 to 0.66 of its outer diameter, drill pipe's 0.74 and more
+constexpr double least_torque_range = 5e3;        // of a rig that drills [N m]
+constexpr double margin = 45.0;                   // [m]
+constexpr double two_stands = 57.0;               // [m]
+constexpr int six_joints = 6;                     // of them
+constexpr double thick_walled =
+    0.7;  // heavy-weight pipe's bore is 0.55 to 0.66 of its outer diameter, drill pipe's 0.74 and more
 
 /// Measured depth at which the survey's inclination first passes `lying` [m], between stations by proportion; where it
 /// never does, beyond the survey by the margin: no bit is there.
@@ -59,7 +61,8 @@ double inclination_at(const std::vector<SurveyStation>& survey, double md) noexc
 {
   const auto below = [md](const SurveyStation& station) { return md < station.md; };
   const auto next = std::find_if(survey.begin(), survey.end(), below);
-  if (next == survey.begin() || next == survey.end()) return survey.empty() ? 0.0 : (next == survey.end() ? survey.back() : *next).inclination;
+  if (next == survey.begin() || next == survey.end())
+    return survey.empty() ? 0.0 : (next == survey.end() ? survey.back() : *next).inclination;
   const SurveyStation& above = *(next - 1);
   return above.inclination + (next->inclination - above.inclination) * (md - above.md) / (next->md - above.md);
 }
@@ -74,7 +77,8 @@ bool is_drill_pipe(const PartSpec& part) noexcept
 double assembly_length(const std::vector<PartSpec>& string) noexcept
 {
   double length = 0.0;
-  for (std::size_t p = 0; p + 1 < string.size() && !is_drill_pipe(string[p]); ++p) length += string[p].joints * string[p].joint_length;
+  for (std::size_t p = 0; p + 1 < string.size() && !is_drill_pipe(string[p]); ++p)
+    length += string[p].joints * string[p].joint_length;
   return length;
 }
 
@@ -113,9 +117,9 @@ double rubbing_radius(const PartSpec& part) noexcept
   return 0.5 * std::max(part.outer_diameter, part.pipe ? part.pipe->tool_joint_diameter : 0.0);
 }
 
-/// Least measured depth [m] where pipe that slides down with nothing on the bit is pushed from above instead of hanging; where none is, beyond the
-/// bit. By the soft string (Johancsik, Friesen, Dawson, J. Petroleum Technology 36 (1984), SPE 11380, eqs. 2 and 4) from the bit up,
-/// turns of azimuth and mud left out: dT = w cos(i) ds - mu |T di + w sin(i) ds|.
+/// Least measured depth [m] where pipe that slides down with nothing on the bit is pushed from above instead of hanging; where
+/// none is, beyond the bit. By the soft string (Johancsik, Friesen, Dawson, J. Petroleum Technology 36 (1984), SPE 11380, eqs. 2
+/// and 4) from the bit up, turns of azimuth and mud left out: dT = w cos(i) ds - mu |T di + w sin(i) ds|.
 double first_pushed(const Scene& scene) noexcept
 {
   constexpr double piece = 10.0;  // [m]
@@ -127,7 +131,8 @@ double first_pushed(const Scene& scene) noexcept
     const double weight = part_at(scene.string, scene.start.bit_depth - middle).linear_mass * piece;  // in units of g [kg]
     const double inclination = inclination_at(scene.well.survey, middle);
     const double turned = inclination_at(scene.well.survey, std::max(0.0, md - piece)) - inclination_at(scene.well.survey, md);
-    tension += weight * std::cos(inclination) - friction_at(scene.well, middle) * std::abs(tension * turned + weight * std::sin(inclination));
+    tension += weight * std::cos(inclination) -
+               friction_at(scene.well, middle) * std::abs(tension * turned + weight * std::sin(inclination));
     if (tension < 0.0) pushed = middle;
   }
   return pushed;
@@ -179,13 +184,15 @@ double torque_of_bends(const Scene& scene, double depth) noexcept
 double turned_above(const WellSpec& well, double depth) noexcept
 {
   double turned = 0.0;
-  for (std::size_t i = 1; i < well.survey.size() && well.survey[i - 1].md < depth; ++i) turned += angle_between(well.survey[i - 1], well.survey[i]);
+  for (std::size_t i = 1; i < well.survey.size() && well.survey[i - 1].md < depth; ++i)
+    turned += angle_between(well.survey[i - 1], well.survey[i]);
   return turned;
 }
 
 bool hangs_in_the_middle(const Scene& scene) noexcept
 {
-  const bool motor = std::any_of(scene.string.begin(), scene.string.end(), [](const PartSpec& part) { return part.motor.has_value(); });
+  const bool motor =
+      std::any_of(scene.string.begin(), scene.string.end(), [](const PartSpec& part) { return part.motor.has_value(); });
   const double depth = std::max(scene.well.hole_depth, scene.start.bit_depth);
   return !motor && hangs(scene.well, depth) && torque_of_bends(scene, depth) <= scene.numerics.tolerance * least_torque_range;
 }
@@ -224,7 +231,8 @@ ElementLengths element_lengths(const Scene& scene) noexcept
     lengths.guided_change = std::max(free_length(scene), pushed_length(scene));
     if (lengths.guided > joint) lengths.guided_change = std::max(lengths.guided_change, pushed_by_heavier(scene.string));
   }
-  for (double* length : {&lengths.lower, &lengths.upper, &lengths.pushed, &lengths.by_bit, &lengths.guided}) *length /= numerics.refinement;
+  for (double* length : {&lengths.lower, &lengths.upper, &lengths.pushed, &lengths.by_bit, &lengths.guided})
+    *length /= numerics.refinement;
   return lengths;
 }
 

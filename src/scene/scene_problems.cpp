@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/scene/scene_problems.h"
 
 #include <algorithm>
@@ -23,13 +24,14 @@ void check_formation(const std::vector<FormationLayer>& layers, ProblemList& pro
   for (std::size_t i = 1; i < layers.size(); ++i)
   {
     if (layers[i].to_tvd > layers[i - 1].to_tvd) continue;
-    problems.emplace_back(item_key("formation", i, "to_tvd"),
-                 metres(layers[i].to_tvd) + " is not below the layer above it, which ends at " + metres(layers[i - 1].to_tvd));
+    problems.emplace_back(
+        item_key("formation", i, "to_tvd"),
+        metres(layers[i].to_tvd) + " is not below the layer above it, which ends at " + metres(layers[i - 1].to_tvd));
   }
 }
 
-/// A drag bit's torque and the rock's law must be about one rock: its energy, its cutters' inclination and its drillability are two numbers, not
-/// three, and the weight on its flats breaks none.
+/// A drag bit's torque and the rock's law must be about one rock: its energy, its cutters' inclination and its drillability are
+/// two numbers, not three, and the weight on its flats breaks none.
 void check_drag_bit(const BitSpec& bit, const std::vector<FormationLayer>& layers, ProblemList& problems)
 {
   constexpr double least = 0.4, most = 1.0;  // about the measured 0.5 to 0.8
@@ -45,21 +47,25 @@ void check_drag_bit(const BitSpec& bit, const std::vector<FormationLayer>& layer
                                                                 layer + ", allowed: up to " + plain(rock.threshold) + " N");
     if (law.by_cut && (rock.weight_exponent != 1.0 || rock.speed_exponent != 1.0))
     {
-      problems.emplace_back("string[0].torque.model", std::string(law.word) + " needs weight_exponent 1 and speed_exponent 1 in " + layer);
+      problems.emplace_back("string[0].torque.model",
+                            std::string(law.word) + " needs weight_exponent 1 and speed_exponent 1 in " + layer);
       continue;
     }
     if (torque.cutting_energy == 0.0) continue;
     if (rock.weight_exponent != 1.0 || rock.speed_exponent != 1.0)
     {
-      problems.emplace_back("string[0].torque.cutting_energy", "needs weight_exponent 1 and speed_exponent 1 in " + layer + ", or leave it out");
+      problems.emplace_back("string[0].torque.cutting_energy",
+                            "needs weight_exponent 1 and speed_exponent 1 in " + layer + ", or leave it out");
       continue;
     }
     const double zeta = implied_inclination(bit.diameter, rock.drillability, torque.cutting_energy);
     if (zeta >= least && zeta <= most) continue;
     const double own = torque.cutting_energy * zeta / cutter_inclination;
-    problems.emplace_back("string[0].torque.cutting_energy", plain(torque.cutting_energy) + " J/m3 contradicts the drillability of " + layer +
-                                                                 ", which corresponds to about " + plain(own) + " J/m3, allowed: " + plain(torque.cutting_energy * zeta / most) +
-                                                                 " to " + plain(torque.cutting_energy * zeta / least) + " J/m3; or leave it out");
+    problems.emplace_back("string[0].torque.cutting_energy",
+                          plain(torque.cutting_energy) + " J/m3 contradicts the drillability of " + layer +
+                              ", which corresponds to about " + plain(own) +
+                              " J/m3, allowed: " + plain(torque.cutting_energy * zeta / most) + " to " +
+                              plain(torque.cutting_energy * zeta / least) + " J/m3; or leave it out");
   }
 }
 
@@ -72,10 +78,12 @@ void check_part_names(const std::vector<PartSpec>& parts, ProblemList& problems)
   {
     const std::string& name = parts[i].name;
     const std::string path = item_key("string", i, "name");
-    if (!is_name(name)) problems.emplace_back(path, not_a_name);
+    if (!is_name(name))
+      problems.emplace_back(path, not_a_name);
     else if (reserved.count(name) || name.rfind("pipe_", 0) == 0)
       problems.emplace_back(path, "is the name of a frame of the rig, choose another name");
-    else if (!seen.insert(name).second) problems.emplace_back(path, "is the name of two parts, needed: unique names");
+    else if (!seen.insert(name).second)
+      problems.emplace_back(path, "is the name of two parts, needed: unique names");
   }
 }
 
@@ -125,15 +133,18 @@ void check_reaming(const Scene& scene, ProblemList& problems)
   if (scene.well.pilot_depth == 0.0 || !scene.string[0].bit) return;
   const BitSpec& bit = *scene.string[0].bit;
   if (scene.well.pilot_diameter > most * bit.diameter)
-    problems.emplace_back("well.pilot_diameter", metres(scene.well.pilot_diameter) + " is too wide to be reamed by this bit, allowed: up to " + metres(most * bit.diameter));
+    problems.emplace_back("well.pilot_diameter", metres(scene.well.pilot_diameter) +
+                                                     " is too wide to be reamed by this bit, allowed: up to " +
+                                                     metres(most * bit.diameter));
   const BitLawTraits law = traits_of(bit.torque.model);
   if (law.by_cut)
-    problems.emplace_back("string[0].torque.model", std::string("reaming with the ") + law.word + " law is not available yet, allowed: " +
-                                                        laws_that_ream() + ", or no well.pilot_depth");
+    problems.emplace_back("string[0].torque.model", std::string("reaming with the ") + law.word +
+                                                        " law is not available yet, allowed: " + laws_that_ream() +
+                                                        ", or no well.pilot_depth");
 }
 
-/// Whether part `i`, whose lower end is `from_bit` [m] above the bit's face, passes all sections on its way down, with the bit as deep as a
-/// run may drill.
+/// Whether part `i`, whose lower end is `from_bit` [m] above the bit's face, passes all sections on its way down, with the bit as
+/// deep as a run may drill.
 void check_passage(const Scene& scene, std::size_t i, double from_bit, ProblemList& problems)
 {
   const double drilled = scene.rig.hoisting.highest_block_height;
@@ -145,14 +156,16 @@ void check_passage(const Scene& scene, std::size_t i, double from_bit, ProblemLi
   const std::string key = item_key("string", i, width.key);
   if (width.diameter > narrowest)
   {
-    problems.emplace_back(key, metres(width.diameter) + " does not pass the hole, allowed: up to its narrowest section above " +
-                                   metres(deepest) + ": " + metres(narrowest) +
-                                   (part.type == PartType::bit ? "; if the bit reams a narrower hole, set well.pilot_depth" : ""));
+    problems.emplace_back(
+        key, metres(width.diameter) + " does not pass the hole, allowed: up to its narrowest section above " + metres(deepest) +
+                 ": " + metres(narrowest) +
+                 (part.type == PartType::bit ? "; if the bit reams a narrower hole, set well.pilot_depth" : ""));
     return;
   }
   const std::optional<BitSpec>& bit = scene.string[0].bit;
   if (i > 0 && into_drilled && bit && width.diameter > bit->diameter)
-    problems.emplace_back(key, metres(width.diameter) + " does not fit the hole that the bit drills, allowed: up to " + metres(bit->diameter));
+    problems.emplace_back(
+        key, metres(width.diameter) + " does not fit the hole that the bit drills, allowed: up to " + metres(bit->diameter));
 }
 
 /// Diameters of one part against each other.
@@ -189,13 +202,14 @@ void check_hoisting(const HoistingSpec& h, ProblemList& problems)
 {
   if (h.lowest_block_height >= h.highest_block_height)
   {
-    problems.emplace_back("rig.hoisting.lowest_block_height",
-                 metres(h.lowest_block_height) + " is not below highest_block_height, " + metres(h.highest_block_height));
+    problems.emplace_back(
+        "rig.hoisting.lowest_block_height",
+        metres(h.lowest_block_height) + " is not below highest_block_height, " + metres(h.highest_block_height));
   }
   if (h.highest_block_height >= h.crown_height)
   {
     problems.emplace_back("rig.hoisting.highest_block_height",
-                 metres(h.highest_block_height) + " is not below crown_height, " + metres(h.crown_height));
+                          metres(h.highest_block_height) + " is not below crown_height, " + metres(h.crown_height));
   }
 }
 
@@ -203,7 +217,8 @@ void check_heave(const HeaveSpec& heave, ProblemList& problems)
 {
   constexpr double most = 3.0;  // of a rig in any sea [m/s2]
   if (heave_acceleration(heave) <= most) return;
-  problems.emplace_back("rig.heave.amplitude", metres(heave.amplitude) + " in " + plain(heave.period) + " s is " + plain(heave_acceleration(heave)) +
+  problems.emplace_back("rig.heave.amplitude", metres(heave.amplitude) + " in " + plain(heave.period) + " s is " +
+                                                   plain(heave_acceleration(heave)) +
                                                    " m/s2 of acceleration, allowed: up to 3 m/s2");
 }
 
@@ -219,30 +234,32 @@ void check_start(const Scene& scene, ProblemList& problems)
   const HoistingSpec& h = scene.rig.hoisting;
   if (start.bit_depth > scene.well.hole_depth)
   {
-    problems.emplace_back("start.bit_depth",
-                 metres(start.bit_depth) + " is below the hole's bottom, allowed: up to " + metres(scene.well.hole_depth));
+    problems.emplace_back("start.bit_depth", metres(start.bit_depth) + " is below the hole's bottom, allowed: up to " +
+                                                 metres(scene.well.hole_depth));
   }
   const bool can_travel = h.lowest_block_height < h.highest_block_height;
   if (can_travel && (start.block_height < h.lowest_block_height || start.block_height > h.highest_block_height))
   {
     problems.emplace_back("start.block_height", metres(start.block_height) + " is outside the block's travel, allowed: " +
-                                           plain(h.lowest_block_height) + " to " + metres(h.highest_block_height));
+                                                    plain(h.lowest_block_height) + " to " + metres(h.highest_block_height));
   }
   const bool on_bottom = start.bit_depth >= scene.well.hole_depth;
   if (start.weight_on_bit > 0.0 && !on_bottom)
-    problems.emplace_back("start.weight_on_bit",
-                 plain(start.weight_on_bit) + " N with the bit off bottom, allowed: 0, or bit_depth equal to hole_depth");
+    problems.emplace_back("start.weight_on_bit", plain(start.weight_on_bit) +
+                                                     " N with the bit off bottom, allowed: 0, or bit_depth equal to hole_depth");
   const auto bent = [](const PartSpec& part) { return part.motor && part.motor->bend != 0.0; };
   if (start.toolface != 0.0 && std::none_of(scene.string.begin(), scene.string.end(), bent))
     problems.emplace_back("start.toolface_deg", "the string has no bend, allowed: 0, or a mud_motor with bend_deg");
   if (start.torque_on_bit > 0.0 && !on_bottom)
-    problems.emplace_back("start.torque_on_bit",
-                 plain(start.torque_on_bit) + " N m with the bit off bottom, allowed: 0, or bit_depth equal to hole_depth");
+    problems.emplace_back(
+        "start.torque_on_bit",
+        plain(start.torque_on_bit) + " N m with the bit off bottom, allowed: 0, or bit_depth equal to hole_depth");
 }
 
 void check_element_length(const char* key, double length, const char* none, ProblemList& problems)
 {
-  if (length > 0.0 && length < 0.1) problems.emplace_back(key, metres(length) + " is given, allowed: 0.1 m to 50 m, or 0 (" + none + ")");
+  if (length > 0.0 && length < 0.1)
+    problems.emplace_back(key, metres(length) + " is given, allowed: 0.1 m to 50 m, or 0 (" + none + ")");
 }
 
 void check_step(const NumericsSpec& numerics, ProblemList& problems)
@@ -269,7 +286,8 @@ bool is_name(const std::string& text)
 {
   constexpr std::size_t longest = 64;
   return !text.empty() && text.size() <= longest &&
-         std::all_of(text.begin(), text.end(), [](char c)
+         std::all_of(text.begin(), text.end(),
+                     [](char c)
                      { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_'; });
 }
 
@@ -280,7 +298,8 @@ ProblemList unavailable(const Scene& scene)
   const std::string cut = numerics.level == Level::hybrid ? what_it_cuts(scene, numerics.free_length) : std::string();
   if (!cut.empty()) problems.emplace_back("numerics.free_length", cut);
   const bool guided = all_guided(numerics.level) || numerics.level == Level::hybrid;
-  if (guided && has_no_levels(numerics.integrator)) problems.emplace_back("numerics.integrator", "this method is available only for level beam3d");
+  if (guided && has_no_levels(numerics.integrator))
+    problems.emplace_back("numerics.integrator", "this method is available only for level beam3d");
   if (numerics.has_variable_steps() && !varies_steps(numerics.integrator))
     problems.emplace_back("numerics.integrator", "steps of variable length (step 0) are available only for bdf2 and auto");
   if (scene.rig.heave.amplitude > 0.0 && numerics.integrator == IntegratorKind::ida)
@@ -294,7 +313,9 @@ ProblemList unavailable(const Scene& scene)
   if (numerics.companion == CompanionKind::coarser && fixed_step)
     problems.emplace_back("numerics.companion", "coarser needs variable steps (numerics.step: 0)");
   if (!has_kernel(numerics.kernel))
-    problems.emplace_back("numerics.kernel", std::string(name_of(numerics.kernel)) + " is not available on this machine or in this build, allowed: " + kernels_here());
+    problems.emplace_back(
+        "numerics.kernel",
+        std::string(name_of(numerics.kernel)) + " is not available on this machine or in this build, allowed: " + kernels_here());
   return problems;
 }
 
@@ -322,18 +343,22 @@ ProblemList scene_problems(const Scene& scene)
   append(problems, operation_problems(scene));
   check_telemetry("instruments.mwd.latency", scene.instruments.mwd.period, scene.instruments.mwd.latency, problems);
   check_telemetry("instruments.mwd.latency", scene.instruments.mwd.inclination_period, scene.instruments.mwd.latency, problems);
-  check_telemetry("instruments.dynamics.latency", scene.instruments.dynamics.period, scene.instruments.dynamics.latency, problems);
+  check_telemetry("instruments.dynamics.latency", scene.instruments.dynamics.period, scene.instruments.dynamics.latency,
+                  problems);
   if (scene.instruments.dynamics.from_bit > scene.start.bit_depth)
     problems.emplace_back("instruments.dynamics.from_bit", metres(scene.instruments.dynamics.from_bit) +
-                                                               " is above the rotary table, allowed: up to start.bit_depth, " + metres(scene.start.bit_depth));
+                                                               " is above the rotary table, allowed: up to start.bit_depth, " +
+                                                               metres(scene.start.bit_depth));
   const auto check_outliers = [&](const char* gauge, const SensorSpec& spec)
   {
     if (spec.outlier_interval > 0.0 && spec.outlier_size == 0.0)
-      problems.emplace_back(std::string("instruments.surface.") + gauge + ".outlier_size", "is needed with outlier_interval, allowed: above 0");
+      problems.emplace_back(std::string("instruments.surface.") + gauge + ".outlier_size",
+                            "is needed with outlier_interval, allowed: above 0");
   };
 #define GAUGE(type, name, ...) check_outliers(#name, scene.instruments.name);
 #include "drill_rig_sim/scene/signal_list.h"
-  check_telemetry("instruments.toolface.latency", scene.instruments.toolface.period, scene.instruments.toolface.latency, problems);
+  check_telemetry("instruments.toolface.latency", scene.instruments.toolface.period, scene.instruments.toolface.latency,
+                  problems);
   return problems;
 }
 

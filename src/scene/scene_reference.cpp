@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <sstream>
 
 #include "drill_rig_sim/scene/read_scene.h"

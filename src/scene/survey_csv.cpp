@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "survey_csv.h"
 
 #include <algorithm>
@@ -37,7 +38,7 @@ std::string trimmed(const std::string& text)
   return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
-// A cell's text: what stands in quotes holds blanks and delimiters too, and two of them are one. A quote within a cell is the sign of seconds.
+// A cell's text: what is in quotes holds blanks and delimiters too, two quotes are one; one within a cell means seconds.
 Cells cells_of(const std::string& line, char delimiter)
 {
   Cells cells(1);
@@ -158,14 +159,16 @@ CsvTable find_header_over_lines(const std::vector<Line>& lines, const SurveyForm
 CsvTable with_line_above(CsvTable table, const std::vector<Line>& lines, const SurveyFormat& format)
 {
   const std::size_t place = *table.header.place[survey_md];
-  if (!table.header.cells[place].weak || table.first_row < 2 || table.delimiter.character == ' ' || !format.md.column.empty()) return table;
+  if (!table.header.cells[place].weak || table.first_row < 2 || table.delimiter.character == ' ' || !format.md.column.empty())
+    return table;
   SurveyHeader both = find_columns(joined(lines, table.first_row - 2, 2, table.delimiter.character), format);
   const HeaderCell& cell = both.cells[place];
   if (cell.quantity && !cell.weak && both.place[survey_inclination] && both.place[survey_azimuth]) table.header = std::move(both);
   return table;
 }
 
-// The header in the first lines: the first that names all columns, else lines that do so together, else the one that names most of them.
+// The header in the first lines: the first that names all columns, else lines that do so together, else the one that names most
+// of them.
 CsvTable find_header(const std::vector<Line>& lines, const SurveyFormat& format)
 {
   CsvTable best;
@@ -178,7 +181,8 @@ CsvTable find_header(const std::vector<Line>& lines, const SurveyFormat& format)
       const bool first = best.line == 0;
       if (!first && header.found <= best.header.found) continue;
       best = {i + 1, lines[i].number, delimiter, std::move(header)};
-      if (best.header.found == needed_quantities) return best.header.place[survey_md] ? with_line_above(std::move(best), lines, format) : best;
+      if (best.header.found == needed_quantities)
+        return best.header.place[survey_md] ? with_line_above(std::move(best), lines, format) : best;
     }
   }
   CsvTable over_lines = find_header_over_lines(lines, format);
@@ -201,9 +205,13 @@ void add_header_problem(const CsvTable& table, Problems& problems)
 {
   const SurveyHeader& header = table.header;
   if (header.wrong != "no such column in the header") return problems.add_at(table.line, header.wrong_where, header.wrong);
-  const std::string found = header.found == 0 ? "" : "; it has " + cells_listed(header.cells) + " (delimiter " + table.delimiter.name + ")";
-  problems.add_at(table.line, header.wrong_where, header.wrong + found + "; needed: md_m, inclination_deg, azimuth_deg or the usual names of these, with their units, or a map `columns` (" +
-                                                      how_to_map + ")");
+  const std::string found =
+      header.found == 0 ? "" : "; it has " + cells_listed(header.cells) + " (delimiter " + table.delimiter.name + ")";
+  problems.add_at(
+      table.line, header.wrong_where,
+      header.wrong + found +
+          "; needed: md_m, inclination_deg, azimuth_deg or the usual names of these, with their units, or a map `columns` (" +
+          how_to_map + ")");
 }
 
 // Angles without a unit are degrees where they are too large for radians.
@@ -235,7 +243,8 @@ bool may_be_thousands(const std::string& cell)
 {
   const std::size_t comma = cell.find(',');
   const std::size_t first = cell.find_first_of("123456789");
-  return comma != std::string::npos && comma >= 1 && comma <= 3 && first < comma && cell.size() == comma + 4 && cell.find('.') == std::string::npos;
+  return comma != std::string::npos && comma >= 1 && comma <= 3 && first < comma && cell.size() == comma + 4 &&
+         cell.find('.') == std::string::npos;
 }
 
 // A file has decimal points or decimal commas: beside these, 1.000 may be a thousand.
@@ -252,7 +261,8 @@ void check_points(const SurveyRows& survey, Problems& problems)
   const auto [point_line, point] = find('.');
   if (comma_line == 0 || point_line == 0) return;
   problems.add_at(std::max(comma_line, point_line), "",
-                  "the file mixes decimal commas and decimal points (got " + shown_cell(comma) + " and " + shown_cell(point) + "), allowed: one of them");
+                  "the file mixes decimal commas and decimal points (got " + shown_cell(comma) + " and " + shown_cell(point) +
+                      "), allowed: one of them");
 }
 
 // Depths must not all look like thousands where nothing else shows that a comma is a decimal one.
@@ -269,7 +279,8 @@ void check_commas(const SurveyRows& survey, Problems& problems)
   }
   if (doubtful)
     problems.add_at(doubtful->line, survey.names[survey_md],
-                    "the comma may be a decimal comma or a thousands separator (got " + shown_cell(doubtful->cells[survey_md]) + "), needed: decimal points and no thousands separators");
+                    "the comma may be a decimal comma or a thousands separator (got " + shown_cell(doubtful->cells[survey_md]) +
+                        "), needed: decimal points and no thousands separators");
 }
 
 // A row of more cells than its header has decimal commas; delimiters alone at its end do no harm.
@@ -286,7 +297,9 @@ bool take_row(const Line& line, const CsvTable& table, SurveyRows& survey, Probl
   if (has_more_cells(cells, columns) || (table.delimiter.character == ' ' && cells.size() != columns))
   {
     const char* hint = table.delimiter.character == ',' ? ", with decimal points" : "";
-    problems.add_at(line.number, "", "has " + std::to_string(cells.size()) + " cells, the header " + std::to_string(columns) + ", allowed: the same number" + hint);
+    problems.add_at(line.number, "",
+                    "has " + std::to_string(cells.size()) + " cells, the header " + std::to_string(columns) +
+                        ", allowed: the same number" + hint);
     return false;
   }
   SurveyRow row;
@@ -314,7 +327,8 @@ bool take_unit_line(const std::vector<Line>& lines, CsvTable& table, Problems& p
   const auto unknown = unknown_unit(cells, table.header);
   if (!unknown) return true;
   const std::size_t place = *table.header.place[*unknown];
-  problems.add_at(line.number, table.header.cells[place].text, "\"" + shortened(cells[place]) + "\" is not a known unit, allowed: " + survey_unit_names(is_angle(*unknown)));
+  problems.add_at(line.number, table.header.cells[place].text,
+                  "\"" + shortened(cells[place]) + "\" is not a known unit, allowed: " + survey_unit_names(is_angle(*unknown)));
   return false;
 }
 
@@ -338,7 +352,8 @@ void add_remarks(const CsvTable& table, const std::string& text, SurveyRows& sur
   if (north == "grid" || north == "magnetic") survey.remarks.push_back(north_remark(north));
   std::string angles;
   for (const std::size_t i : {survey_inclination, survey_azimuth})
-    if (!header.unit[i]) angles += (angles.empty() ? "" : " and ") + std::string("\"") + shortened(header.cells[*header.place[i]].text) + "\"";
+    if (!header.unit[i])
+      angles += (angles.empty() ? "" : " and ") + std::string("\"") + shortened(header.cells[*header.place[i]].text) + "\"";
   if (!angles.empty()) survey.remarks.push_back(angles + " have no unit and are read as degrees");
 }
 

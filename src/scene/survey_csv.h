@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SRC_SCENE_SURVEY_CSV_H
 #define DRILL_RIG_SIM_SRC_SCENE_SURVEY_CSV_H
 
@@ -9,8 +10,9 @@
 
 namespace drill_rig_sim
 {
-/// Reads a survey out of a table in text (read_survey_file(), survey_file.h): its header is one of the first 50 lines, cells are parted by a comma,
-/// a semicolon, a tab or blanks, whichever makes it name the columns. Rows beyond most_stations are left out. What is wrong goes to `problems`.
+/// Reads a survey out of a table in text (read_survey_file(), survey_file.h): its header is one of the first 50 lines, cells are
+/// parted by a comma, a semicolon, a tab or blanks, whichever makes it name the columns. Rows beyond most_stations are left out.
+/// What is wrong goes to `problems`.
 SurveyRows read_survey_csv(const std::string& text, const SurveyFormat& format, Problems& problems);
 
 }  // namespace drill_rig_sim

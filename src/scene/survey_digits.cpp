@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "survey_digits.h"
 
 #include <algorithm>
@@ -21,13 +22,15 @@ const std::string first_group = "[+-]?[1-9][0-9]{0,2}";
 
 const Style& decimal_points()
 {
-  static const Style style{std::regex(first_group + "((,[0-9]{3})+\\.[0-9]*|(,[0-9]{3}){2,})"), std::regex(first_group + "(,[0-9]{3})+(\\.[0-9]*)?"), ',', "commas"};
+  static const Style style{std::regex(first_group + "((,[0-9]{3})+\\.[0-9]*|(,[0-9]{3}){2,})"),
+                           std::regex(first_group + "(,[0-9]{3})+(\\.[0-9]*)?"), ',', "commas"};
   return style;
 }
 
 const Style& decimal_commas()
 {
-  static const Style style{std::regex(first_group + "((\\.[0-9]{3})+,[0-9]*|(\\.[0-9]{3}){2,})"), std::regex(first_group + "(\\.[0-9]{3})+(,[0-9]*)?"), '.', "points"};
+  static const Style style{std::regex(first_group + "((\\.[0-9]{3})+,[0-9]*|(\\.[0-9]{3}){2,})"),
+                           std::regex(first_group + "(\\.[0-9]{3})+(,[0-9]*)?"), '.', "points"};
   return style;
 }
 
@@ -82,7 +85,8 @@ void take_signs(const Style& style, const CellPlace& first, SurveyRows& survey)
   for (SurveyRow& row : survey.rows)
     for (std::string& cell : row.cells)
       if (fits(cell, style.any)) cell.erase(std::remove(cell.begin(), cell.end(), style.group), cell.end());
-  survey.remarks.push_back(std::string("its numbers have ") + style.name + " between groups of digits (first: line " + std::to_string(first.line) + ": " + first.cell + ")");
+  survey.remarks.push_back(std::string("its numbers have ") + style.name + " between groups of digits (first: line " +
+                           std::to_string(first.line) + ": " + first.cell + ")");
 }
 }  // namespace
 
@@ -94,7 +98,9 @@ void take_groups(char delimiter, SurveyRows& survey, Problems& problems)
   if (point.line > 0 && comma.line > 0)
   {
     const CellPlace &first = point.line < comma.line ? point : comma, &second = point.line < comma.line ? comma : point;
-    return problems.add_at(second.line, "", second.cell + " has another decimal sign than " + first.cell + " (line " + std::to_string(first.line) + "), needed: one decimal sign in all numbers");
+    return problems.add_at(second.line, "",
+                           second.cell + " has another decimal sign than " + first.cell + " (line " + std::to_string(first.line) +
+                               "), needed: one decimal sign in all numbers");
   }
   if (point.line == 0 && comma.line == 0) point = first_whole(survey);
   if (point.line > 0) survey.decimal_commas = false;

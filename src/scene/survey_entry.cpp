@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "survey_entry.h"
 
 #include "scene_keys.h"
@@ -14,7 +15,8 @@ void read_column(const YAML::Node& node, const std::string& path, bool is_angle,
 {
   read_block(node, path, survey_column_keys, every_kind, column, problems);
   const bool known = column.unit.empty() || (is_angle ? angle_unit(column.unit) : length_unit(column.unit));
-  if (!known) problems.add(join(path, "unit"), "\"" + shortened(column.unit) + "\" is not known, allowed: " + survey_unit_names(is_angle));
+  if (!known)
+    problems.add(join(path, "unit"), "\"" + shortened(column.unit) + "\" is not known, allowed: " + survey_unit_names(is_angle));
 }
 
 void read_columns(const YAML::Node& node, const std::string& path, SurveyFormat& format, Problems& problems)
@@ -34,7 +36,8 @@ void read_columns(const YAML::Node& node, const std::string& path, SurveyFormat&
 }
 
 // the entries of a format; gives all entries back
-std::map<std::string, YAML::Node> read_format(const YAML::Node& node, const std::string& path, unsigned kind, SurveyFormat& format, Problems& problems)
+std::map<std::string, YAML::Node> read_format(const YAML::Node& node, const std::string& path, unsigned kind,
+                                              SurveyFormat& format, Problems& problems)
 {
   auto entries = read_block(node, path, survey_keys, kind, format, problems);
   const auto columns = entries.find("columns");
@@ -43,8 +46,10 @@ std::map<std::string, YAML::Node> read_format(const YAML::Node& node, const std:
   if (delimiter == "\t") delimiter = "tab";
   if (delimiter == " ") delimiter = "space";
   if (delimiter == "|") delimiter = "bar";
-  if (!delimiter.empty() && delimiter != "," && delimiter != ";" && delimiter != "bar" && delimiter != "tab" && delimiter != "space")
-    problems.add(join(path, "delimiter"), "\"" + shortened(delimiter) + "\" is not known, allowed: \",\", \";\", bar, tab or space");
+  if (!delimiter.empty() && delimiter != "," && delimiter != ";" && delimiter != "bar" && delimiter != "tab" &&
+      delimiter != "space")
+    problems.add(join(path, "delimiter"),
+                 "\"" + shortened(delimiter) + "\" is not known, allowed: \",\", \";\", bar, tab or space");
   return entries;
 }
 }  // namespace

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/scene/survey_file.h"
 
 #include "problems.h"
@@ -24,7 +25,8 @@ SurveyTable read_survey_file(const std::string& file, const SurveyFormat& format
   Problems problems(file);
   const TextFile whole = read_text_file(file, needed_survey);
   if (first_of(whole.text) == '~') problems.fail(1, "", std::string("begins as a LAS file, needed: ") + needed_survey);
-  const SurveyRows rows = first_of(whole.text) == '<' ? read_survey_witsml(whole.text, format, problems) : read_survey_csv(whole.text, format, problems);
+  const SurveyRows rows = first_of(whole.text) == '<' ? read_survey_witsml(whole.text, format, problems)
+                                                      : read_survey_csv(whole.text, format, problems);
   problems.raise();
   SurveyTable table = stations_of(rows, format.pass_over != 0.0, tie_in, problems);
   problems.raise();

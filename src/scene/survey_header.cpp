@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "survey_header.h"
 
 #include <algorithm>
@@ -10,8 +11,10 @@ namespace drill_rig_sim
 {
 namespace
 {
-constexpr std::array<const char*, survey_quantities> own_names = {"md_m", "inclination_deg", "azimuth_deg", "north_m", "east_m", "tvd_m"};
-constexpr std::array<const char*, survey_quantities> full_names = {"measured depth", "inclination", "azimuth", "north", "east", "true vertical depth"};
+constexpr std::array<const char*, survey_quantities> own_names = {"md_m",    "inclination_deg", "azimuth_deg",
+                                                                  "north_m", "east_m",          "tvd_m"};
+constexpr std::array<const char*, survey_quantities> full_names = {"measured depth", "inclination", "azimuth",
+                                                                   "north",          "east",        "true vertical depth"};
 
 // usual spellings in small letters without blanks and signs
 const std::map<std::string, std::size_t>& spellings()
@@ -23,14 +26,19 @@ const std::map<std::string, std::size_t>& spellings()
     {
       for (const char* name : names) all[name] = quantity;
     };
-    add(survey_md, {"md", "mdepth", "measureddepth", "measdepth", "measdep", "mddepth", "depthmd", "measureddepthmd", "mdmeasureddepth", "ahd", "ahdepth",
-                    "alongholedepth", "surveydepth", "surveymd", "svydepth", "stationdepth", "stationmd", "depth", "dept"});
-    add(survey_inclination, {"inc", "incl", "incln", "inclin", "inclination", "incangle", "inclangle", "inclinationangle", "holeinclination", "holeinc", "holeincl", "holeangle", "drift",
-                             "driftangle"});
-    add(survey_azimuth, {"azi", "az", "azm", "azim", "azimuth", "azimut", "azimuthangle", "aziazimuth", "azimuthazi", "correctedazimuth", "azimuthcorrected", "driftazimuth", "driftdirection", "aziangle", "holeazimuth", "holeazi", "holedirection", "direction"});
-    add(survey_north, {"north", "ns", "northsouth", "northing", "localnorth", "localnorthing", "northoffset", "nsoffset", "dispns"});
+    add(survey_md, {"md", "mdepth", "measureddepth", "measdepth", "measdep", "mddepth", "depthmd", "measureddepthmd",
+                    "mdmeasureddepth", "ahd", "ahdepth", "alongholedepth", "surveydepth", "surveymd", "svydepth", "stationdepth",
+                    "stationmd", "depth", "dept"});
+    add(survey_inclination, {"inc", "incl", "incln", "inclin", "inclination", "incangle", "inclangle", "inclinationangle",
+                             "holeinclination", "holeinc", "holeincl", "holeangle", "drift", "driftangle"});
+    add(survey_azimuth, {"azi", "az", "azm", "azim", "azimuth", "azimut", "azimuthangle", "aziazimuth", "azimuthazi",
+                         "correctedazimuth", "azimuthcorrected", "driftazimuth", "driftdirection", "aziangle", "holeazimuth",
+                         "holeazi", "holedirection", "direction"});
+    add(survey_north,
+        {"north", "ns", "northsouth", "northing", "localnorth", "localnorthing", "northoffset", "nsoffset", "dispns"});
     add(survey_east, {"east", "ew", "eastwest", "easting", "localeast", "localeasting", "eastoffset", "ewoffset", "dispew"});
-    add(survey_tvd, {"tvd", "tvdepth", "truevertical", "trueverticaldepth", "tvdtrueverticaldepth", "verticaldepth", "vertdepth", "vertdep"});
+    add(survey_tvd,
+        {"tvd", "tvdepth", "truevertical", "trueverticaldepth", "tvdtrueverticaldepth", "verticaldepth", "vertdepth", "vertdep"});
     return all;
   }();
   return table;
@@ -123,9 +131,10 @@ std::string before_brackets(const std::string& text)
 // the place of a map's column, whose name may leave out the unit in brackets; what is wrong with it
 std::string find_named(const std::string& column, const std::vector<HeaderCell>& cells, std::optional<std::size_t>& place)
 {
-  const std::array<std::function<bool(const std::string&)>, 3> is_it = {[&](const std::string& text) { return text == column; },
-                                                                        [&](const std::string& text) { return lowered(text) == lowered(column); },
-                                                                        [&](const std::string& text) { return lowered(before_brackets(text)) == lowered(column); }};
+  const std::array<std::function<bool(const std::string&)>, 3> is_it = {
+      [&](const std::string& text) { return text == column; },
+      [&](const std::string& text) { return lowered(text) == lowered(column); },
+      [&](const std::string& text) { return lowered(before_brackets(text)) == lowered(column); }};
   for (const auto& is_named : is_it)
   {
     std::vector<std::size_t> found;
@@ -153,12 +162,14 @@ std::string find_usual(std::size_t quantity, const std::vector<HeaderCell>& cell
   if (std::all_of(found->begin(), found->end(), named_as_first)) return "appears more than once in the header, allowed: once";
   std::string names;
   for (const std::size_t i : *found) names += (names.empty() ? "" : ", ") + quoted(cells[i].text);
-  return "several columns fit: " + names + "; needed: one column, or `columns: {" + quantity_keys[quantity] + ": {column: NAME}}` (" + how_to_map + ")";
+  return "several columns fit: " + names + "; needed: one column, or `columns: {" + quantity_keys[quantity] +
+         ": {column: NAME}}` (" + how_to_map + ")";
 }
 
 const SurveyColumn& column_of(const SurveyFormat& format, std::size_t quantity)
 {
-  const std::array<const SurveyColumn*, survey_quantities> all = {&format.md, &format.inclination, &format.azimuth, &format.north, &format.east, &format.tvd};
+  const std::array<const SurveyColumn*, survey_quantities> all = {&format.md,    &format.inclination, &format.azimuth,
+                                                                  &format.north, &format.east,        &format.tvd};
   return *all[quantity];
 }
 
@@ -166,22 +177,28 @@ const SurveyColumn& column_of(const SurveyFormat& format, std::size_t quantity)
 void find_column(std::size_t quantity, const SurveyColumn& asked, SurveyHeader& header)
 {
   std::optional<std::size_t>& place = header.place[quantity];
-  std::string wrong = asked.column.empty() ? find_usual(quantity, header.cells, place) : find_named(asked.column, header.cells, place);
+  std::string wrong =
+      asked.column.empty() ? find_usual(quantity, header.cells, place) : find_named(asked.column, header.cells, place);
   if (place && quantity < needed_quantities) ++header.found;
   if (!wrong.empty() && quantity >= needed_quantities && asked.column.empty()) return place.reset();
   if (!wrong.empty() && header.wrong.empty())
   {
     header.wrong = wrong;
-    header.wrong_where = !asked.column.empty() ? asked.column : place && header.cells[*place].own ? own_names[quantity] : full_names[quantity];
+    header.wrong_where = !asked.column.empty()               ? asked.column
+                         : place && header.cells[*place].own ? own_names[quantity]
+                                                             : full_names[quantity];
   }
   if (!place) return;
   const HeaderCell& cell = header.cells[*place];
   // a name that only the map knows has its unit in brackets too
-  const UnitName* said = !cell.quantity ? unit_for(quantity, cell.unit_in_brackets) : is_angle(*cell.quantity) == is_angle(quantity) ? cell.unit : nullptr;
+  const UnitName* said = !cell.quantity                                   ? unit_for(quantity, cell.unit_in_brackets)
+                         : is_angle(*cell.quantity) == is_angle(quantity) ? cell.unit
+                                                                          : nullptr;
   header.unit[quantity] = asked.unit.empty() ? said : unit_for(quantity, asked.unit);
   if (!asked.unit.empty() && said && said != header.unit[quantity] && header.wrong.empty())
   {
-    header.wrong = "the unit is " + std::string(said->name) + " in the header and " + shortened(asked.unit) + " in the map, needed: the same unit";
+    header.wrong = "the unit is " + std::string(said->name) + " in the header and " + shortened(asked.unit) +
+                   " in the map, needed: the same unit";
     header.wrong_where = cell.text;
   }
 }
@@ -189,10 +206,12 @@ void find_column(std::size_t quantity, const SurveyColumn& asked, SurveyHeader& 
 // a column that would be the missing quantity but for its unit
 void find_unknown_unit(std::size_t quantity, SurveyHeader& header)
 {
-  const auto found = std::find_if(header.cells.begin(), header.cells.end(), [&](const HeaderCell& cell) { return cell.quantity_without_brackets == quantity; });
+  const auto found = std::find_if(header.cells.begin(), header.cells.end(),
+                                  [&](const HeaderCell& cell) { return cell.quantity_without_brackets == quantity; });
   if (found == header.cells.end()) return;
   header.wrong_where = found->text;
-  header.wrong = std::string("the unit in brackets is not known, allowed: ") + survey_unit_names(is_angle(quantity)) + ", or a map `columns` (" + how_to_map + ")";
+  header.wrong = std::string("the unit in brackets is not known, allowed: ") + survey_unit_names(is_angle(quantity)) +
+                 ", or a map `columns` (" + how_to_map + ")";
 }
 
 std::string missing_columns(const SurveyHeader& header)
@@ -262,8 +281,10 @@ std::string unit_problem(const SurveyHeader& header, std::size_t quantity)
   if (!header.place[quantity] || header.unit[quantity]) return "";
   const std::string key = quantity_keys[quantity];
   const std::string allowed = survey_unit_names(is_angle(quantity));
-  return "the header gives no unit, needed: " + quoted(header.cells[*header.place[quantity]].text + (is_angle(quantity) ? " (deg)" : " (m)")) + " in the header, or `columns: {" +
-         key + ": {unit: " + (is_angle(quantity) ? "deg" : "m") + "}}` with " + allowed + " (" + how_to_map + ")";
+  return "the header gives no unit, needed: " +
+         quoted(header.cells[*header.place[quantity]].text + (is_angle(quantity) ? " (deg)" : " (m)")) +
+         " in the header, or `columns: {" + key + ": {unit: " + (is_angle(quantity) ? "deg" : "m") + "}}` with " + allowed +
+         " (" + how_to_map + ")";
 }
 
 std::string description(const SurveyHeader& header)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SRC_SCENE_SURVEY_HEADER_H
 #define DRILL_RIG_SIM_SRC_SCENE_SURVEY_HEADER_H
 
@@ -17,12 +18,12 @@ namespace drill_rig_sim
 struct HeaderCell
 {
   std::string text;
-  std::optional<std::size_t> quantity;  ///< of SurveyQuantity
-  bool own = false;                     ///< one of this package's own names (md_m)
-  bool weak = false;                    ///< "Depth": measured depth only where no other column is
-  const UnitName* unit = nullptr;     ///< nullptr: it names none
-  std::string unit_in_brackets;         ///< as it is written, "" without one
-  std::string north;                    ///< "true", "grid" or "magnetic" of an azimuth that says so
+  std::optional<std::size_t> quantity;                   ///< of SurveyQuantity
+  bool own = false;                                      ///< one of this package's own names (md_m)
+  bool weak = false;                                     ///< "Depth": measured depth only where no other column is
+  const UnitName* unit = nullptr;                        ///< nullptr: it names none
+  std::string unit_in_brackets;                          ///< as it is written, "" without one
+  std::string north;                                     ///< "true", "grid" or "magnetic" of an azimuth that says so
   std::optional<std::size_t> quantity_without_brackets;  ///< where what stands in brackets is no unit: MD (fathoms)
 };
 
@@ -49,7 +50,8 @@ bool take_units(const std::vector<std::string>& cells, SurveyHeader& header);
 /// The column whose cell in such a line is no unit that is known while another's is; none where the line is not of units.
 std::optional<std::size_t> unknown_unit(const std::vector<std::string>& cells, const SurveyHeader& header);
 
-/// "grid" or "magnetic" where a line above the header says that azimuths count from that north: "North reference: Grid North". Else "".
+/// "grid" or "magnetic" where a line above the header says that azimuths count from that north: "North reference: Grid North".
+/// Else "".
 std::string north_of_line(const std::string& line);
 
 /// Why the columns' units cannot be told, in one line; empty if they can. Those of angles may be left to the values.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "survey_positions.h"
 
 #include <cmath>
@@ -11,7 +12,7 @@ namespace drill_rig_sim
 namespace
 {
 constexpr double least = 1.0, share = 0.005;  // that other methods and rounding may leave [m], of the way along the hole
-constexpr double convergence = 0.05;          // between norths, that surveys leave unsaid: of the way from the first station [rad]
+constexpr double convergence = 0.05;  // between norths, that surveys leave unsaid: of the way from the first station [rad]
 
 // east, north, up
 Eigen::Vector3d way_between(const SurveyStation& a, const SurveyStation& b)
@@ -28,7 +29,8 @@ std::optional<double> said_of(const SurveyRow& row, std::size_t quantity, bool d
 }
 }  // namespace
 
-std::string differing_tvd(const SurveyRows& survey, const std::vector<SurveyStation>& stations, const std::vector<const SurveyRow*>& rows)
+std::string differing_tvd(const SurveyRows& survey, const std::vector<SurveyStation>& stations,
+                          const std::vector<const SurveyRow*>& rows)
 {
   std::optional<double> first;
   double depth = 0.0, from = 0.0, worst = 0.0;
@@ -44,13 +46,16 @@ std::string differing_tvd(const SurveyRows& survey, const std::vector<SurveyStat
     if (off <= worst || off <= least + share * (stations[i].md - from)) continue;
     worst = off;
     char line[200];
-    std::snprintf(line, sizeof line, "its vertical depth at %.2f m is %.2f m, by minimum curvature %.2f m; is a unit or a column wrong?", stations[i].md, *said, *first + depth);
+    std::snprintf(line, sizeof line,
+                  "its vertical depth at %.2f m is %.2f m, by minimum curvature %.2f m; is a unit or a column wrong?",
+                  stations[i].md, *said, *first + depth);
     text = line;
   }
   return text;
 }
 
-std::string differing_displacement(const SurveyRows& survey, const std::vector<SurveyStation>& stations, const std::vector<const SurveyRow*>& rows)
+std::string differing_displacement(const SurveyRows& survey, const std::vector<SurveyStation>& stations,
+                                   const std::vector<const SurveyRow*>& rows)
 {
   std::optional<Eigen::Vector2d> first;  // less the way up to there
   Eigen::Vector2d way = Eigen::Vector2d::Zero(), begin = way;
@@ -59,7 +64,8 @@ std::string differing_displacement(const SurveyRows& survey, const std::vector<S
   for (std::size_t i = 0; i < stations.size(); ++i)
   {
     if (i > 0) way += way_between(stations[i - 1], stations[i]).head<2>();
-    const std::optional<double> east = said_of(*rows[i], survey_east, survey.decimal_commas), north = said_of(*rows[i], survey_north, survey.decimal_commas);
+    const std::optional<double> east = said_of(*rows[i], survey_east, survey.decimal_commas),
+                                north = said_of(*rows[i], survey_north, survey.decimal_commas);
     if (!east || !north) continue;
     const Eigen::Vector2d said(*east, *north);
     if (!first) from = stations[i].md, begin = way;
@@ -70,7 +76,8 @@ std::string differing_displacement(const SurveyRows& survey, const std::vector<S
     worst = off;
     char line[300];
     std::snprintf(line, sizeof line,
-                  "its north and east at %.2f m are %.2f and %.2f m, by minimum curvature %.2f and %.2f m; is a column wrong, or do azimuths refer to another north?",
+                  "its north and east at %.2f m are %.2f and %.2f m, by minimum curvature %.2f and %.2f m; is a column wrong, or "
+                  "do azimuths refer to another north?",
                   stations[i].md, said.y(), said.x(), right.y(), right.x());
     text = line;
   }

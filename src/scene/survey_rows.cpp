@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "survey_rows.h"
 
 #include <algorithm>
@@ -44,7 +45,8 @@ std::string shown_cell(const std::string& cell)
 {
   constexpr std::size_t longest = 24;
   const std::string lower = lowered(cell);
-  const bool like_number = lower.find_first_of("0123456789") != std::string::npos && lower.find_first_not_of("0123456789+-.,'e ") == std::string::npos;
+  const bool like_number =
+      lower.find_first_of("0123456789") != std::string::npos && lower.find_first_not_of("0123456789+-.,'e ") == std::string::npos;
   for (const char* word : {"nan", "inf", "infinity", "null", "n/a", "na", "-", "--"})
     if (lower == word || lower == std::string("-") + word || lower == std::string("+") + word) return "\"" + cell + "\"";
   if (cell.empty()) return "nothing";

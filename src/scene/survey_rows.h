@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SRC_SCENE_SURVEY_ROWS_H
 #define DRILL_RIG_SIM_SRC_SCENE_SURVEY_ROWS_H
 
@@ -26,7 +27,8 @@ enum SurveyQuantity : std::size_t
 constexpr std::size_t needed_quantities = 3;
 constexpr std::array<const char*, survey_quantities> quantity_keys = {"md", "inclination", "azimuth", "north", "east", "tvd"};
 /// For messages: what a survey's file should have been, where a map of its columns is given, and what its nulls need.
-constexpr const char* needed_survey = "a survey: a table with the columns md_m, inclination_deg, azimuth_deg, or a WITSML trajectory";
+constexpr const char* needed_survey =
+    "a survey: a table with the columns md_m, inclination_deg, azimuth_deg, or a WITSML trajectory";
 constexpr const char* how_to_map = "in a scene's well.survey, or --columns MAP.yaml";
 constexpr const char* how_to_pass_over = "to skip it, use pass_over: true in a scene's well.survey, or --pass-over";
 

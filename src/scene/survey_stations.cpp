@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "survey_stations.h"
 
 #include <cmath>
@@ -13,7 +14,7 @@ namespace drill_rig_sim
 namespace
 {
 constexpr std::size_t most_lines_listed = 10;
-constexpr double farthest_tie_in = 2e4;  // from the rotary table, as well.tie_in [m]
+constexpr double farthest_tie_in = 2e4;                     // from the rotary table, as well.tie_in [m]
 constexpr double same_depth = 1e-6, same_direction = 1e-6;  // what rounding of equal stations may leave [m], [rad]
 
 using Values = std::array<double, needed_quantities>;
@@ -36,7 +37,10 @@ std::string lines_listed(const std::vector<int>& lines)
 class StationReader
 {
 public:
-  StationReader(const SurveyRows& survey, bool pass_over, Problems& problems) : survey_(survey), pass_over_(pass_over), problems_(problems) {}
+  StationReader(const SurveyRows& survey, bool pass_over, Problems& problems)
+      : survey_(survey), pass_over_(pass_over), problems_(problems)
+  {
+  }
 
   // up to the first row that is wrong: what follows it is likely wrong for the same reason
   void read()
@@ -59,7 +63,8 @@ public:
 
   void add_remarks(std::vector<std::string>& remarks) const
   {
-    if (!without_azimuth_.empty()) remarks.push_back("vertical stations without an azimuth were given 0 deg: " + lines_listed(without_azimuth_));
+    if (!without_azimuth_.empty())
+      remarks.push_back("vertical stations without an azimuth were given 0 deg: " + lines_listed(without_azimuth_));
     if (!without_value_.empty()) remarks.push_back("stations without a value were skipped: " + lines_listed(without_value_));
     if (!equal_.empty()) remarks.push_back("stations equal to the one before were skipped: " + lines_listed(equal_));
   }
@@ -71,7 +76,8 @@ private:
     double value = 0.0;
     CellKind kind = read_cell(row.cells[i], survey_.decimal_commas, value);
     const bool in_degrees = is_angle(i) && row.units[i] == angle_unit("deg");
-    if (kind == CellKind::wrong && in_degrees && read_degrees(row.cells[i], survey_.decimal_commas, i == survey_azimuth, value)) kind = CellKind::number;
+    if (kind == CellKind::wrong && in_degrees && read_degrees(row.cells[i], survey_.decimal_commas, i == survey_azimuth, value))
+      kind = CellKind::number;
     values[i] = value * row.units[i]->factor();
     if (kind == CellKind::number) return true;
     const bool vertical = i == survey_azimuth && complete && values[survey_inclination] == 0.0;
@@ -91,7 +97,8 @@ private:
   std::string problem_of(const std::string& cell, CellKind kind) const
   {
     const std::string got = " (got " + shown_cell(cell) + ")";
-    return (kind == CellKind::wrong ? "must be a finite number" + got : "has no value" + got + "; " + how_to_pass_over) + "; " + survey_.taken;
+    return (kind == CellKind::wrong ? "must be a finite number" + got : "has no value" + got + "; " + how_to_pass_over) + "; " +
+           survey_.taken;
   }
 
   void add(const SurveyStation& station, const SurveyRow& row)
@@ -107,7 +114,8 @@ private:
   std::vector<int> without_azimuth_, without_value_, equal_;
 };
 
-// where the row of the first station lies; nothing without the columns. A cell that is no number is a problem where the tie-in is needed.
+// where the row of the first station lies; nothing without the columns. A cell that is no number is a problem where the tie-in is
+// needed.
 std::optional<TieIn> tie_in_of(const SurveyRows& survey, const SurveyRow& row, bool needed, Problems& problems)
 {
   std::array<double, 3> place{};
@@ -115,20 +123,25 @@ std::optional<TieIn> tie_in_of(const SurveyRows& survey, const SurveyRow& row, b
   {
     if (survey.names[i].empty()) return std::nullopt;
     const bool good = read_cell(row.cells[i], survey.decimal_commas, place[i - survey_north]) == CellKind::number;
-    if (needed && !good) problems.add_at(row.line, survey.names[i], "must be a finite number (got " + shown_cell(row.cells[i]) + ")");
+    if (needed && !good)
+      problems.add_at(row.line, survey.names[i], "must be a finite number (got " + shown_cell(row.cells[i]) + ")");
     if (needed && good && !row.units[i])
-      problems.add_at(row.line, survey.names[i], "the header gives no unit of the tie-in, needed: " + survey_unit_names(false) + " (" + how_to_map + ")");
+      problems.add_at(row.line, survey.names[i],
+                      "the header gives no unit of the tie-in, needed: " + survey_unit_names(false) + " (" + how_to_map + ")");
     if (!good || !row.units[i]) return std::nullopt;
     place[i - survey_north] *= row.units[i]->factor();
   }
   return TieIn{place[0], place[1], place[2]};
 }
-// the simulator counts from the rotary table, as `well.tie_in` does; of a first station below it the place is needed, and is checked
+// the simulator counts from the rotary table, as `well.tie_in` does; of a first station below it the place is needed, and is
+// checked
 void leave_map(TieIn& tie_in, std::vector<std::string>& remarks)
 {
   if (std::abs(tie_in.north) <= farthest_tie_in && std::abs(tie_in.east) <= farthest_tie_in) return;
   char line[200];
-  std::snprintf(line, sizeof line, "north %.2f m and east %.2f m look like map coordinates: positions are relative to the first station", tie_in.north, tie_in.east);
+  std::snprintf(line, sizeof line,
+                "north %.2f m and east %.2f m look like map coordinates: positions are relative to the first station",
+                tie_in.north, tie_in.east);
   remarks.push_back(line);
   tie_in.north = tie_in.east = 0.0;
 }
@@ -148,12 +161,14 @@ SurveyTable stations_of(const SurveyRows& survey, bool pass_over, const std::opt
   const UnitName& unit = survey.rows.empty() ? *length_unit("m") : *survey.rows.front().units[survey_md];
   for (const SurveyProblem& p : survey_problems(table.stations, table.tie_in, {unit.name, unit.factor()}))
   {
-    const bool equal = p.station > 0 && p.station < table.stations.size() && are_equal(table.stations[p.station - 1], table.stations[p.station]);
+    const bool equal =
+        p.station > 0 && p.station < table.stations.size() && are_equal(table.stations[p.station - 1], table.stations[p.station]);
     problems.add_at(p.station < reader.rows.size() ? reader.rows[p.station]->line : 1, "station " + std::to_string(p.station + 1),
                     p.text + (equal ? std::string("; ") + how_to_pass_over : ""));
   }
   if (!problems.empty()) return table;
-  for (const std::string& differing : {differing_tvd(survey, table.stations, reader.rows), differing_displacement(survey, table.stations, reader.rows)})
+  for (const std::string& differing :
+       {differing_tvd(survey, table.stations, reader.rows), differing_displacement(survey, table.stations, reader.rows)})
     if (!differing.empty()) table.remarks.push_back(differing);
   return table;
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What stands beside a survey's header: the line of units below it, the north in a line above it.
 #include <algorithm>
 #include <set>
@@ -9,13 +10,15 @@ namespace drill_rig_sim
 {
 namespace
 {
-/// A unit alone in its cell, in brackets or not. Words that are no part of it may stand beside: decimal degrees, ft RKB, deg grid.
+/// A unit alone in its cell, in brackets or not. Words that are no part of it may stand beside: decimal degrees, ft RKB, deg
+/// grid.
 const UnitName* unit_alone(std::size_t quantity, const std::string& cell)
 {
   Words brackets;
   const std::string bare = without_brackets(cell, brackets), text = brackets.size() == 1 ? brackets.front() : bare;
   if (const UnitName* unit = unit_for(quantity, text)) return unit;
-  static const std::set<std::string> beside = {"decimal", "dec", "rkb", "kb", "rt", "dfe", "rte", "msl", "ahd", "md", "tvd", "north", "n", "azimuth"};
+  static const std::set<std::string> beside = {"decimal", "dec", "rkb", "kb",  "rt",    "dfe", "rte",
+                                               "msl",     "ahd", "md",  "tvd", "north", "n",   "azimuth"};
   std::string left;
   for (const std::string& word : name_words(text))
     if (beside.count(word) == 0 && norths().count(word) == 0) left += word;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "survey_units.h"
 
 #include <vector>
@@ -39,7 +40,8 @@ const UnitName* length_unit(const std::string& spelling)
   const std::string text = compact(spelling);
   if (const UnitName* unit = find_unit(lengths(), text).unit) return unit;
   // the rotary table's names, from which depths are counted
-  for (const std::string& datum : std::vector<std::string> {"brkb", "bkb", "rkb", "kb", "brt", "mdrt", "rte", "rt", "df", "ahrt", "ahd", "md"})
+  for (const std::string& datum :
+       std::vector<std::string>{"brkb", "bkb", "rkb", "kb", "brt", "mdrt", "rte", "rt", "df", "ahrt", "ahd", "md"})
   {
     if (text.size() <= datum.size() || text.compare(text.size() - datum.size(), datum.size(), datum) != 0) continue;
     if (const UnitName* unit = find_unit(lengths(), text.substr(0, text.size() - datum.size())).unit) return unit;

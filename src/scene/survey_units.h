@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SRC_SCENE_SURVEY_UNITS_H
 #define DRILL_RIG_SIM_SRC_SCENE_SURVEY_UNITS_H
 
@@ -7,7 +8,8 @@
 
 namespace drill_rig_sim
 {
-/// A survey's unit of length or angle by a header's, a map's or WITSML's spelling ("feet", "mRKB", "dega"), of math/unit_table.h; nullptr if it is none.
+/// A survey's unit of length or angle by a header's, a map's or WITSML's spelling ("feet", "mRKB", "dega"), of math/unit_table.h;
+/// nullptr if it is none.
 const UnitName* length_unit(const std::string& spelling);
 const UnitName* angle_unit(const std::string& spelling);
 /// Their symbols, for messages.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "survey_witsml.h"
 
 #include <tinyxml2.h>
@@ -55,12 +56,15 @@ const XMLElement* trajectory_of(const XMLElement& root, Problems& problems)
   if (found.size() == 1) return found.front();
   if (found.empty())
   {
-    problems.add_at(root.GetLineNum(), "", "the document has no trajectory, needed: a trajectory of WITSML 1.3.1.1, 1.4.1.1 or 2.0, or a table");
+    problems.add_at(root.GetLineNum(), "",
+                    "the document has no trajectory, needed: a trajectory of WITSML 1.3.1.1, 1.4.1.1 or 2.0, or a table");
     return nullptr;
   }
   std::string names;
-  for (const XMLElement* trajectory : found) names += (names.empty() ? "" : ", ") + shortened(text_of(child_of(*trajectory, "name")));
-  problems.add_at(found[1]->GetLineNum(), "trajectory", "the document has " + std::to_string(found.size()) + " trajectories (" + names + "), allowed: one");
+  for (const XMLElement* trajectory : found)
+    names += (names.empty() ? "" : ", ") + shortened(text_of(child_of(*trajectory, "name")));
+  problems.add_at(found[1]->GetLineNum(), "trajectory",
+                  "the document has " + std::to_string(found.size()) + " trajectories (" + names + "), allowed: one");
   return nullptr;
 }
 
@@ -79,7 +83,8 @@ SurveyRow row_of(const XMLElement& station, Problems& problems)
     row.units[i] = is_angle(i) ? angle_unit(uom ? uom : "") : length_unit(uom ? uom : "");
     if (row.units[i] || !problems.empty()) continue;
     problems.add_at(element->GetLineNum(), elements[i],
-                    (uom ? "unit \"" + shortened(uom) + "\" is not known" : std::string("has no unit (uom)")) + ", allowed: " + survey_unit_names(is_angle(i)));
+                    (uom ? "unit \"" + shortened(uom) + "\" is not known" : std::string("has no unit (uom)")) +
+                        ", allowed: " + survey_unit_names(is_angle(i)));
   }
   return row;
 }
@@ -138,8 +143,10 @@ SurveyRows read_survey_witsml(const std::string& text, const SurveyFormat& forma
 {
   SurveyRows survey;
   for (const SurveyColumn* column : {&format.md, &format.inclination, &format.azimuth, &format.north, &format.east, &format.tvd})
-    if (problems.empty() && !(column->column.empty() && column->unit.empty())) problems.add_at(0, "columns", "has no effect on a WITSML trajectory, which defines its own; leave it out");
-  if (problems.empty() && !format.delimiter.empty()) problems.add_at(0, "delimiter", "has no effect on a WITSML trajectory; leave it out");
+    if (problems.empty() && !(column->column.empty() && column->unit.empty()))
+      problems.add_at(0, "columns", "has no effect on a WITSML trajectory, which defines its own; leave it out");
+  if (problems.empty() && !format.delimiter.empty())
+    problems.add_at(0, "delimiter", "has no effect on a WITSML trajectory; leave it out");
   if (!problems.empty() || !is_within_bounds(text, problems)) return survey;
   tinyxml2::XMLDocument document;  // knows the five entities of XML only: a document cannot define others
   if (document.Parse(text.data(), text.size()) != tinyxml2::XML_SUCCESS || !document.RootElement())
@@ -150,7 +157,8 @@ SurveyRows read_survey_witsml(const std::string& text, const SurveyFormat& forma
   const XMLElement* trajectory = trajectory_of(*document.RootElement(), problems);
   if (!trajectory) return survey;
   const std::string reference = text_of(child_of(*trajectory, "aziRef"));
-  if (reference == "grid north" || reference == "magnetic north") survey.remarks.push_back(north_remark(reference.substr(0, reference.find(' '))));
+  if (reference == "grid north" || reference == "magnetic north")
+    survey.remarks.push_back(north_remark(reference.substr(0, reference.find(' '))));
   survey.taken = "read as a WITSML trajectory";
   read_stations(*trajectory, survey, problems);
   if (!problems.empty()) return survey;

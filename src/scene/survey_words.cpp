@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "survey_words.h"
 
 #include "survey_rows.h"
@@ -6,8 +7,9 @@ namespace drill_rig_sim
 {
 const std::map<std::string, std::string>& norths()
 {
-  static const std::map<std::string, std::string> table = {{"true", "true"}, {"tn", "true"}, {"grid", "grid"}, {"gn", "grid"},
-                                                           {"mag", "magnetic"}, {"magnetic", "magnetic"}, {"mn", "magnetic"}};
+  static const std::map<std::string, std::string> table = {{"true", "true"},  {"tn", "true"},      {"grid", "grid"},
+                                                           {"gn", "grid"},    {"mag", "magnetic"}, {"magnetic", "magnetic"},
+                                                           {"mn", "magnetic"}};
   return table;
 }
 

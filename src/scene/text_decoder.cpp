@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "text_decoder.h"
 
 #include <algorithm>
@@ -11,9 +12,10 @@ namespace drill_rig_sim
 namespace
 {
 // bytes 0x80 to 0x9f; five of them are left open (U+FFFD)
-constexpr std::array<std::uint16_t, 32> windows_1252 = {0x20ac, 0xfffd, 0x201a, 0x0192, 0x201e, 0x2026, 0x2020, 0x2021, 0x02c6, 0x2030, 0x0160,
-                                                        0x2039, 0x0152, 0xfffd, 0x017d, 0xfffd, 0xfffd, 0x2018, 0x2019, 0x201c, 0x201d, 0x2022,
-                                                        0x2013, 0x2014, 0x02dc, 0x2122, 0x0161, 0x203a, 0x0153, 0xfffd, 0x017e, 0x0178};
+constexpr std::array<std::uint16_t, 32> windows_1252 = {0x20ac, 0xfffd, 0x201a, 0x0192, 0x201e, 0x2026, 0x2020, 0x2021,
+                                                        0x02c6, 0x2030, 0x0160, 0x2039, 0x0152, 0xfffd, 0x017d, 0xfffd,
+                                                        0xfffd, 0x2018, 0x2019, 0x201c, 0x201d, 0x2022, 0x2013, 0x2014,
+                                                        0x02dc, 0x2122, 0x0161, 0x203a, 0x0153, 0xfffd, 0x017e, 0x0178};
 
 unsigned char byte_at(const std::string& bytes, std::size_t at)
 {
@@ -87,8 +89,10 @@ bool begins_with(const std::string& bytes, const char* mark)
 // what a file is by its first bytes, where that is no text; "" elsewhere
 std::string other_kind(const std::string& bytes)
 {
-  for (const auto& [mark, kind] : {std::pair<const char*, const char*>{"PK\x03\x04", "a spreadsheet (xlsx) or another zip file"}, {"\xd0\xcf\x11\xe0", "a spreadsheet (xls)"},
-                                   {"\x1f\x8b", "compressed (gzip)"}, {"%PDF", "a PDF file"}})
+  for (const auto& [mark, kind] : {std::pair<const char*, const char*>{"PK\x03\x04", "a spreadsheet (xlsx) or another zip file"},
+                                   {"\xd0\xcf\x11\xe0", "a spreadsheet (xls)"},
+                                   {"\x1f\x8b", "compressed (gzip)"},
+                                   {"%PDF", "a PDF file"}})
     if (begins_with(bytes, mark)) return kind;
   return "";
 }
@@ -132,7 +136,8 @@ DecodedText decode_text(std::string bytes)
   const std::size_t nul = decoded.text.find('\0');
   if (!decoded.wrong.empty() || nul == std::string::npos) return decoded;
   decoded.wrong = "contains a NUL byte, needed: text in UTF-8, in UTF-16 with a byte order mark, or in latin-1";
-  decoded.wrong_line = 1 + static_cast<int>(std::count(decoded.text.begin(), decoded.text.begin() + static_cast<std::ptrdiff_t>(nul), '\n'));
+  decoded.wrong_line =
+      1 + static_cast<int>(std::count(decoded.text.begin(), decoded.text.begin() + static_cast<std::ptrdiff_t>(nul), '\n'));
   return decoded;
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SRC_SCENE_TEXT_FILE_H
 #define DRILL_RIG_SIM_SRC_SCENE_TEXT_FILE_H
 
@@ -16,9 +17,9 @@ struct TextFile
   std::string remark;  ///< to be reported, in one line with the file's name: it was read as latin-1; else empty
 };
 
-/// Reads the whole of a regular file of at most `longest` bytes, in any of decode_text()'s encodings (text_decoder.h). Anything else (a folder,
-/// a pipe, a device, a larger file) is refused before it is opened or read, so that nothing blocks. Throws SceneError with one line that says
-/// what is wrong; `needed` names in it what the file should have been ("a scene file").
+/// Reads the whole of a regular file of at most `longest` bytes, in any of decode_text()'s encodings (text_decoder.h). Anything
+/// else (a folder, a pipe, a device, a larger file) is refused before it is opened or read, so that nothing blocks. Throws
+/// SceneError with one line that says what is wrong; `needed` names in it what the file should have been ("a scene file").
 TextFile read_text_file(const std::string& file, const char* needed, std::size_t longest = longest_text);
 
 }  // namespace drill_rig_sim

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "unlikely_values.h"
 
 #include <cmath>
@@ -10,10 +11,10 @@ namespace drill_rig_sim
 {
 namespace
 {
-constexpr double lightest_mud = 500.0;             // of a liquid [kg/m3]; lighter are gas and foam
-constexpr double ppg = 119.8264;                   // [kg/m3]
+constexpr double lightest_mud = 500.0;               // of a liquid [kg/m3]; lighter are gas and foam
+constexpr double ppg = 119.8264;                     // [kg/m3]
 constexpr double least_mass = 0.6, most_mass = 2.0;  // of a part, by the mass of its body: tool joints and blades add to it
-constexpr double sharpest = 30.0 * degree / 30.0;  // short-radius holes turn up to this [rad/m]
+constexpr double sharpest = 30.0 * degree / 30.0;    // short-radius holes turn up to this [rad/m]
 
 template <class... Values>
 std::string line(const char* form, Values... values)
@@ -26,16 +27,22 @@ std::string line(const char* form, Values... values)
 std::string unlikely_mud(double density)
 {
   if (density <= 0.0 || density >= lightest_mud) return "";
-  if (density < 3.0) return line("mud.density: %g kg/m3 is the density of a gas; is its unit missing? %g g/cm3 is %.0f kg/m3", density, density, density * 1e3);
-  if (density < 25.0) return line("mud.density: %g kg/m3 is the density of a gas; is its unit missing? %g ppg is %.0f kg/m3", density, density, density * ppg);
+  if (density < 3.0)
+    return line("mud.density: %g kg/m3 is the density of a gas; is its unit missing? %g g/cm3 is %.0f kg/m3", density, density,
+                density * 1e3);
+  if (density < 25.0)
+    return line("mud.density: %g kg/m3 is the density of a gas; is its unit missing? %g ppg is %.0f kg/m3", density, density,
+                density * ppg);
   return line("mud.density: %g kg/m3 is the density of foam; is its unit missing? Muds have 800 to 2400 kg/m3", density);
 }
 
 std::string unlikely_mass(const PartSpec& part, std::size_t place)
 {
-  const double body = pi / 4.0 * (part.outer_diameter * part.outer_diameter - part.inner_diameter * part.inner_diameter) * part.density;
+  const double body =
+      pi / 4.0 * (part.outer_diameter * part.outer_diameter - part.inner_diameter * part.inner_diameter) * part.density;
   if (part.bit || !(body > 0.0) || (part.linear_mass >= least_mass * body && part.linear_mass <= most_mass * body)) return "";
-  return line("string[%zu].linear_mass: %g kg/m does not match its diameters and density (%.3g kg/m); is its unit right?", place, part.linear_mass, body);
+  return line("string[%zu].linear_mass: %g kg/m does not match its diameters and density (%.3g kg/m); is its unit right?", place,
+              part.linear_mass, body);
 }
 }  // namespace
 
@@ -61,7 +68,8 @@ std::string sharp_turn(const std::vector<SurveyStation>& survey)
     const double turn = std::acos(std::fmin(1.0, std::fmax(-1.0, cosine))) / (b.md - a.md);
     if (!(turn > largest)) continue;
     largest = turn;
-    text = line("from %.2f to %.2f m the hole turns by %.0f deg/30 m, more than drilled holes do; is one of the stations wrong?", a.md, b.md, turn * 30.0 / degree);
+    text = line("from %.2f to %.2f m the hole turns by %.0f deg/30 m, more than drilled holes do; is one of the stations wrong?",
+                a.md, b.md, turn * 30.0 / degree);
   }
   return text;
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SRC_SCENE_UNLIKELY_VALUES_H
 #define DRILL_RIG_SIM_SRC_SCENE_UNLIKELY_VALUES_H
 
@@ -8,8 +9,8 @@
 
 namespace drill_rig_sim
 {
-/// Values that are in range and that no rig has, as of a number in another unit; a line each: key, value and what is usual. `stations`: those of the scene's well
-/// too; a survey's file has been looked at.
+/// Values that are in range and that no rig has, as of a number in another unit; a line each: key, value and what is usual.
+/// `stations`: those of the scene's well too; a survey's file has been looked at.
 std::vector<std::string> unlikely_values(const Scene& scene, bool stations);
 
 /// Where a survey turns more sharply than holes are drilled, as by a wrong station; empty: nowhere.

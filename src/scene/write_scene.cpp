@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/scene/write_scene.h"
 
 #include <cmath>
@@ -69,13 +70,18 @@ bool same(double a, double b)
 template <class Spec>
 std::string value_of(const Key<Spec>& key, Spec& spec, Spec& defaults, bool all)
 {
-  const auto number = [&](double value, double usual) { return all || !same(value, usual) ? written_in(unit_of(key.name), value) : ""; };
+  const auto number = [&](double value, double usual)
+  { return all || !same(value, usual) ? written_in(unit_of(key.name), value) : ""; };
   if (const auto* field = std::get_if<double Spec::*>(&key.field)) return number(spec.*(*field), defaults.*(*field));
   if (const auto* inside = std::get_if<Inside<Spec>>(&key.field)) return number(inside->ref(spec), inside->ref(defaults));
-  if (const auto* field = std::get_if<int Spec::*>(&key.field)) return all || spec.*(*field) != defaults.*(*field) ? std::to_string(spec.*(*field)) : "";
-  if (const auto* field = std::get_if<std::string Spec::*>(&key.field)) return all || spec.*(*field) != defaults.*(*field) ? written(spec.*(*field)) : "";
-  if (const auto* flag = std::get_if<Flag<Spec>>(&key.field)) return all || !same(spec.*(flag->member), defaults.*(flag->member)) ? (spec.*(flag->member) != 0.0 ? "true" : "false") : "";
-  if (const auto* fill = std::get_if<CountOrFill<Spec>>(&key.field)) return spec.*(fill->member) == 0 ? "fill" : std::to_string(spec.*(fill->member));
+  if (const auto* field = std::get_if<int Spec::*>(&key.field))
+    return all || spec.*(*field) != defaults.*(*field) ? std::to_string(spec.*(*field)) : "";
+  if (const auto* field = std::get_if<std::string Spec::*>(&key.field))
+    return all || spec.*(*field) != defaults.*(*field) ? written(spec.*(*field)) : "";
+  if (const auto* flag = std::get_if<Flag<Spec>>(&key.field))
+    return all || !same(spec.*(flag->member), defaults.*(flag->member)) ? (spec.*(flag->member) != 0.0 ? "true" : "false") : "";
+  if (const auto* fill = std::get_if<CountOrFill<Spec>>(&key.field))
+    return spec.*(fill->member) == 0 ? "fill" : std::to_string(spec.*(fill->member));
   if (const auto* choice = std::get_if<Choice<Spec>>(&key.field))
     return all || choice->get(spec) != choice->get(defaults) ? choice->words[static_cast<std::size_t>(choice->get(spec))] : "";
   if (const auto* set = std::get_if<WordSet<Spec>>(&key.field))
@@ -90,8 +96,9 @@ std::string value_of(const Key<Spec>& key, Spec& spec, Spec& defaults, bool all)
 
 /// The rows of a table that are not as by default, those of another kind left out.
 template <class Spec>
-std::string entries_of(const Table<Spec>& table, Spec spec, Spec defaults = Spec(), unsigned kinds = every_kind,
-                       const std::function<bool(const std::string&)>& left_out = [](const std::string&) { return false; })
+std::string entries_of(
+    const Table<Spec>& table, Spec spec, Spec defaults = Spec(), unsigned kinds = every_kind,
+    const std::function<bool(const std::string&)>& left_out = [](const std::string&) { return false; })
 {
   std::vector<std::string> entries;
   for (const Key<Spec>& key : table.keys)
@@ -151,7 +158,8 @@ std::string nozzles_of(const BitSpec& bit)
 
 std::string part_of(const PartSpec& part)
 {
-  const auto left_out = [&](const std::string& key) { return part.joints == 1 ? key == "joints" || key == "joint_length" : key == "length"; };
+  const auto left_out = [&](const std::string& key)
+  { return part.joints == 1 ? key == "joints" || key == "joint_length" : key == "length"; };
   std::vector<std::string> entries = {entries_of(part_keys, part, default_part(part), kind(part.type), left_out)};
   if (part.contact) entries.push_back(entry("contact", "{" + entries_of(part_contact_keys, *part.contact) + "}"));
   if (part.bit) entries.push_back(nozzles_of(*part.bit));
@@ -178,9 +186,14 @@ std::string well_of(const WellSpec& well)
     const std::string value = value_of(key, spec, defaults, false);
     if (!value.empty()) out += "  " + entry(key.name, value) + "\n";
   }
-  out += list_of("stations", well.survey,
-                 [](const SurveyStation& s) { return "[" + joined({written(s.md), written_in(degree, s.inclination), written_in(degree, s.azimuth)}) + "]"; }, "  ");
-  return out + list_of("sections", well.sections, [](const HoleSection& s) { return "{" + entries_of(section_keys, s) + "}"; }, "  ");
+  out += list_of(
+      "stations", well.survey,
+      [](const SurveyStation& s) {
+        return "[" + joined({written(s.md), written_in(degree, s.inclination), written_in(degree, s.azimuth)}) + "]";
+      },
+      "  ");
+  return out + list_of(
+                   "sections", well.sections, [](const HoleSection& s) { return "{" + entries_of(section_keys, s) + "}"; }, "  ");
 }
 
 std::string mud_of(const MudSpec& mud, const std::optional<RheologySpec>& rheology)
@@ -194,13 +207,15 @@ std::string mud_of(const MudSpec& mud, const std::optional<RheologySpec>& rheolo
 
 std::string pump_of(const MudPumpSpec& pump)
 {
-  return block("mud_pump", joined({entries_of(mud_pump_keys, pump), rows_of("surface_lines", pump.surface_lines, &SurfaceLine::length, &SurfaceLine::diameter)}));
+  return block("mud_pump", joined({entries_of(mud_pump_keys, pump),
+                                   rows_of("surface_lines", pump.surface_lines, &SurfaceLine::length, &SurfaceLine::diameter)}));
 }
 
 std::string rig_of(const RigSpec& rig)
 {
   const TopDriveSpec usual;
-  const std::string drive = joined({entries_of(top_drive_keys, rig.top_drive), block_of("soft_torque", soft_torque_keys, rig.top_drive.soft_torque, usual.soft_torque),
+  const std::string drive = joined({entries_of(top_drive_keys, rig.top_drive),
+                                    block_of("soft_torque", soft_torque_keys, rig.top_drive.soft_torque, usual.soft_torque),
                                     block_of("z_torque", z_torque_keys, rig.top_drive.z_torque, usual.z_torque)});
   return block("rig", joined({block_of("hoisting", hoisting_keys, rig.hoisting), block("top_drive", drive), pump_of(rig.mud_pump),
                               block_of("heave", heave_keys, rig.heave), entries_of(rig_keys, rig)}));
@@ -213,8 +228,9 @@ std::string instruments_of(const InstrumentsSpec& instruments)
 #define GAUGE(type, name, ...) block_of(#name, keys_of(instruments.name), instruments.name, usual.name),
 #include "drill_rig_sim/scene/signal_list.h"
   });
-  return block("instruments", joined({block_of("mwd", mwd_keys, instruments.mwd), block_of("toolface", toolface_keys, instruments.toolface),
-                                      block_of("dynamics", dynamics_keys, instruments.dynamics), block("surface", gauges)}));
+  return block("instruments",
+               joined({block_of("mwd", mwd_keys, instruments.mwd), block_of("toolface", toolface_keys, instruments.toolface),
+                       block_of("dynamics", dynamics_keys, instruments.dynamics), block("surface", gauges)}));
 }
 
 std::string operation_of(const Operation& operation)
@@ -233,7 +249,8 @@ std::string write_scene(const Scene& scene)
     if (!value.empty()) out += entry(key.name, value) + "\n";
   }
   out += well_of(scene.well);
-  out += list_of("formation", scene.formation, [](const FormationLayer& layer) { return "{" + entries_of(layer_keys, layer) + "}"; });
+  out += list_of("formation", scene.formation,
+                 [](const FormationLayer& layer) { return "{" + entries_of(layer_keys, layer) + "}"; });
   out += lines_of(mud_of(scene.mud, scene.rheology));
   out += list_of("string", scene.string, part_of);
   out += lines_of(rig_of(scene.rig));

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "yaml_document.h"
 
 #include <yaml-cpp/eventhandler.h>
@@ -20,8 +21,8 @@ struct Refusal
   const char* text;
 };
 
-/// Counts what a parser meets and builds nothing. YAML::LoadAll goes on for ever, and takes all memory, where a document is followed by
-/// something that begins none (a comma, say: yaml-cpp's issue 1040), so a second document ends the pass.
+/// Counts what a parser meets and builds nothing. YAML::LoadAll goes on for ever, and takes all memory, where a document is
+/// followed by something that begins none (a comma, say: yaml-cpp's issue 1040), so a second document ends the pass.
 class Counter : public YAML::EventHandler
 {
 public:
@@ -43,7 +44,10 @@ public:
     count(mark, false);
   }
   void OnSequenceEnd() override {}
-  void OnMapStart(const YAML::Mark& mark, const std::string&, YAML::anchor_t, YAML::EmitterStyle::value) override { count(mark, false); }
+  void OnMapStart(const YAML::Mark& mark, const std::string&, YAML::anchor_t, YAML::EmitterStyle::value) override
+  {
+    count(mark, false);
+  }
   void OnMapEnd() override {}
 
 private:

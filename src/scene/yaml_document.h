@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SRC_SCENE_YAML_DOCUMENT_H
 #define DRILL_RIG_SIM_SRC_SCENE_YAML_DOCUMENT_H
 
@@ -15,7 +16,8 @@ struct Document
   bool has_aliases = false;  ///< nodes may stand in several places: a change in one is one in all
 };
 
-/// Parses `text` as exactly one YAML document of bounded size. Throws SceneError, with `problems`' file and the line, if it is not.
+/// Parses `text` as exactly one YAML document of bounded size. Throws SceneError, with `problems`' file and the line, if it is
+/// not.
 Document load_document(const std::string& text, Problems& problems);
 
 /// Whether YAML takes the unit of a number for a comment, as in `19.5 #/ft`: it would be read as a number without a unit.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "yaml_reader.h"
 
 #include <algorithm>
@@ -163,7 +164,8 @@ bool read_number(const YAML::Node& node, const std::string& path, const Range& a
   if (!is_number(node, given))
   {
     const bool weird = plain_scalar(node) && is_infinite_or_nan(node.Scalar());
-    problems.add(path, (weird ? "is not a finite number" : no_number(node) + " is not a number") + ", allowed: " + range_text(allowed, unit, input));
+    problems.add(path, (weird ? "is not a finite number" : no_number(node) + " is not a number") +
+                           ", allowed: " + range_text(allowed, unit, input));
     return false;
   }
   const std::string wrong_unit = find_input_unit(given, unit, input);
@@ -181,8 +183,8 @@ bool read_number(const YAML::Node& node, const std::string& path, const Range& a
   }
   if (too_near_zero(read))
   {
-    problems.add(path, shown + " is too close to 0, allowed: " + range_text(allowed, unit, input) + ", in size at least " + plain(smallest) +
-                           (inside(0.0, allowed) ? " or 0" : ""));
+    problems.add(path, shown + " is too close to 0, allowed: " + range_text(allowed, unit, input) + ", in size at least " +
+                           plain(smallest) + (inside(0.0, allowed) ? " or 0" : ""));
     return false;
   }
   if (!input.name.empty()) problems.note_unit(path, unit, input);
@@ -219,7 +221,8 @@ bool read_word(const YAML::Node& node, const std::string& path, const std::vecto
   return false;
 }
 
-void read_word_set(const YAML::Node& node, const std::string& path, const std::vector<const char*>& words, unsigned& value, Problems& problems)
+void read_word_set(const YAML::Node& node, const std::string& path, const std::vector<const char*>& words, unsigned& value,
+                   Problems& problems)
 {
   if (!node.IsSequence() || node.size() == 0)
   {
@@ -231,7 +234,8 @@ void read_word_set(const YAML::Node& node, const std::string& path, const std::v
   {
     int word = 0;
     if (!read_word(node[i], item_key(path, i), words, word, problems)) return;
-    if (found & (1u << word)) problems.add(item_key(path, i), std::string(words[static_cast<std::size_t>(word)]) + " is listed twice, allowed: once");
+    if (found & (1u << word))
+      problems.add(item_key(path, i), std::string(words[static_cast<std::size_t>(word)]) + " is listed twice, allowed: once");
     found |= 1u << word;
   }
   value = found;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SRC_SCENE_YAML_READER_H
 #define DRILL_RIG_SIM_SRC_SCENE_YAML_READER_H
 
@@ -20,14 +21,15 @@ int line_of(const YAML::Node& node);
 /// What a node is, for messages: "text", "a list", "a block", "nothing". What it holds is not told: the file may be a wrong one.
 std::string describe(const YAML::Node& node);
 
-/// One value out of a scalar; the value stays (false, and a problem noted) if it is no such value or out of range. A number may carry a unit of
-/// the same quantity as `unit`, in which `allowed` and `value` are.
+/// One value out of a scalar; the value stays (false, and a problem noted) if it is no such value or out of range. A number may
+/// carry a unit of the same quantity as `unit`, in which `allowed` and `value` are.
 bool read_number(const YAML::Node& node, const std::string& path, const Range& allowed, const std::string& unit, double& value,
                  Problems& problems);
 void read_whole(const YAML::Node& node, const std::string& path, const Range& allowed, int& value, Problems& problems);
 bool read_word(const YAML::Node& node, const std::string& path, const std::vector<const char*>& words, int& word,
                Problems& problems);
-void read_word_set(const YAML::Node& node, const std::string& path, const std::vector<const char*>& words, unsigned& value, Problems& problems);
+void read_word_set(const YAML::Node& node, const std::string& path, const std::vector<const char*>& words, unsigned& value,
+                   Problems& problems);
 bool read_text(const YAML::Node& node, const std::string& path, std::string& value, Problems& problems);
 void read_flag(const YAML::Node& node, const std::string& path, double& value, Problems& problems);
 void read_count_or_fill(const YAML::Node& node, const std::string& path, const Range& allowed, int& value, Problems& problems);
@@ -45,7 +47,8 @@ std::string unit_with(const char* unit, const std::string& meant);
 
 /// Reads one row's value into `spec`; Nested rows are left to the caller. `meant`: as for unit_with().
 template <class Spec>
-void read_value(const YAML::Node& node, const std::string& path, const Key<Spec>& key, Spec& spec, Problems& problems, const std::string& meant)
+void read_value(const YAML::Node& node, const std::string& path, const Key<Spec>& key, Spec& spec, Problems& problems,
+                const std::string& meant)
 {
   const auto number = [&](double& target)
   {
@@ -61,7 +64,8 @@ void read_value(const YAML::Node& node, const std::string& path, const Key<Spec>
   {
     read_count_or_fill(node, path, key.allowed, spec.*(field->member), problems);
   }
-  if (const auto* field = std::get_if<WordSet<Spec>>(&key.field)) read_word_set(node, path, field->words, spec.*(field->member), problems);
+  if (const auto* field = std::get_if<WordSet<Spec>>(&key.field))
+    read_word_set(node, path, field->words, spec.*(field->member), problems);
   if (const auto* field = std::get_if<Choice<Spec>>(&key.field))
   {
     int word = 0;
@@ -70,7 +74,8 @@ void read_value(const YAML::Node& node, const std::string& path, const Key<Spec>
 }
 
 /// Reads a whole block into `spec` by its table and gives back the entries, so that the caller can go on with the Nested ones.
-/// `kind` is the bit of the part type or law at hand: rows of other kinds are refused. `meant`: the unit that a placeholder stands for.
+/// `kind` is the bit of the part type or law at hand: rows of other kinds are refused. `meant`: the unit that a placeholder
+/// stands for.
 template <class Spec>
 std::map<std::string, YAML::Node> read_block(const YAML::Node& node, const std::string& path, const Table<Spec>& table,
                                              unsigned kind, Spec& spec, Problems& problems, const std::string& meant = "")

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
 #include <cstdio>
 #include <utility>
@@ -18,7 +19,8 @@ std::string text(const char* format, Numbers... numbers)
   return line;
 }
 
-/// An element's length with a tenth to spare, for the string bends a little more on a finer mesh, and its two digits are rounded down [m].
+/// An element's length with a tenth to spare, for the string bends a little more on a finer mesh, and its two digits are rounded
+/// down [m].
 double shorter(double length)
 {
   const double unit = std::pow(10.0, std::floor(std::log10(0.9 * length)) - 1.0);
@@ -29,8 +31,11 @@ double shorter(double length)
 std::string words_of(unsigned needs)
 {
   std::string out;
-  const std::pair<Need, const char*> words[] = {{need_torque, "waves of torque"}, {need_bit_speed, "waves of bit speed"},
-                                                {need_direction, "direction"},    {need_contact, "contact"},    {need_buckling, "buckling"}};
+  const std::pair<Need, const char*> words[] = {{need_torque, "waves of torque"},
+                                                {need_bit_speed, "waves of bit speed"},
+                                                {need_direction, "direction"},
+                                                {need_contact, "contact"},
+                                                {need_buckling, "buckling"}};
   for (const auto& [need, word] : words)
     if (needs & need) out += (out.empty() ? "" : ", ") + std::string(word);
   return out;
@@ -41,15 +46,24 @@ const char* code_of(AccuracyDoubt doubt) noexcept
 {
   switch (doubt)
   {
-    case AccuracyDoubt::none: return "";
-    case AccuracyDoubt::measured: return "measured_error";
-    case AccuracyDoubt::confined: return "guided_pipe_buckles";
-    case AccuracyDoubt::compression: return "element_compression";
-    case AccuracyDoubt::twist: return "element_twist";
-    case AccuracyDoubt::embedding: return "soft_wall";
-    case AccuracyDoubt::slant: return "slanted_start";
-    case AccuracyDoubt::level: return "level";
-    case AccuracyDoubt::turn: return "turn_of_hole";
+    case AccuracyDoubt::none:
+      return "";
+    case AccuracyDoubt::measured:
+      return "measured_error";
+    case AccuracyDoubt::confined:
+      return "guided_pipe_buckles";
+    case AccuracyDoubt::compression:
+      return "element_compression";
+    case AccuracyDoubt::twist:
+      return "element_twist";
+    case AccuracyDoubt::embedding:
+      return "soft_wall";
+    case AccuracyDoubt::slant:
+      return "slanted_start";
+    case AccuracyDoubt::level:
+      return "level";
+    case AccuracyDoubt::turn:
+      return "turn_of_hole";
   }
   return "";
 }
@@ -58,33 +72,47 @@ std::string text_of(const AccuracyReport& r)
 {
   switch (r.doubt)
   {
-    case AccuracyDoubt::none: return "";
+    case AccuracyDoubt::none:
+      return "";
     case AccuracyDoubt::measured:
-      return text("%s: measured error %.2g %% of its range over 3 s; over 30 s %.2g %% in the average, %.2g %% in the deviation, %.2g %% in the extremes;"
-                  " numerics.tolerance is %.2g %%. Use only what is within it, or set numerics.refinement: 2",
-                  traits_of(r.output).words, 100.0 * r.measure, 100.0 * r.statistics.mean, 100.0 * r.statistics.deviation, 100.0 * r.statistics.extremes,
-                  100.0 * r.allowed);
+      return text(
+          "%s: measured error %.2g %% of its range over 3 s; over 30 s %.2g %% in the average, %.2g %% in the deviation, %.2g %% "
+          "in the extremes;"
+          " numerics.tolerance is %.2g %%. Use only what is within it, or set numerics.refinement: 2",
+          traits_of(r.output).words, 100.0 * r.measure, 100.0 * r.statistics.mean, 100.0 * r.statistics.deviation,
+          100.0 * r.statistics.extremes, 100.0 * r.allowed);
     case AccuracyDoubt::confined:
-      return text("guided pipe %.4g m above the bit carries %.2f times its critical buckling load; use numerics.level: beam3d, or hybrid with numerics.free_length beyond it",
-                  r.from_bit, r.measure);
+      return text(
+          "guided pipe %.4g m above the bit carries %.2f times its critical buckling load; use numerics.level: beam3d, or hybrid "
+          "with numerics.free_length beyond it",
+          r.from_bit, r.measure);
     case AccuracyDoubt::compression:
-      return text("an element of %.3g m, %.4g m above the bit, carries %.2f times the compression that it can represent; use numerics.element_length: %.2g or less",
-                  r.element_length, r.from_bit, r.measure, shorter(r.element_length / std::sqrt(r.measure)));
+      return text(
+          "an element of %.3g m, %.4g m above the bit, carries %.2f times the compression that it can represent; use "
+          "numerics.element_length: %.2g or less",
+          r.element_length, r.from_bit, r.measure, shorter(r.element_length / std::sqrt(r.measure)));
     case AccuracyDoubt::twist:
-      return text("an element of %.3g m, %.4g m above the bit, is twisted by %.2f rad; use numerics.element_length: %.2g or less", r.element_length, r.from_bit,
-                  r.measure, shorter(r.element_length / r.measure));
+      return text("an element of %.3g m, %.4g m above the bit, is twisted by %.2f rad; use numerics.element_length: %.2g or less",
+                  r.element_length, r.from_bit, r.measure, shorter(r.element_length / r.measure));
     case AccuracyDoubt::embedding:
-      return text("%.4g m above the bit the string is %.2g mm deep in the wall, more than its clearance; use a larger contact.stiffness", r.from_bit,
-                  1e3 * r.measure);
+      return text(
+          "%.4g m above the bit the string is %.2g mm deep in the wall, more than its clearance; use a larger contact.stiffness",
+          r.from_bit, 1e3 * r.measure);
     case AccuracyDoubt::level:
       return "numerics.level does not represent " + words_of(static_cast<unsigned>(r.measure)) +
              " (guided pipe has no bending, rigid pipe no waves); use hybrid or beam3d, or remove this from needs";
     case AccuracyDoubt::turn:
-      return text("by the rock law the hole turns by %.0f deg/30 m, but the body behind the bit allows %.0f: direction and rate of penetration are uncertain;"
-                  " use a smaller bend_deg, sleeve_diameter or side_cutting", 30.0 * r.measure / degree, 30.0 * r.allowed / degree);
+      return text(
+          "by the rock law the hole turns by %.0f deg/30 m, but the body behind the bit allows %.0f: direction and rate of "
+          "penetration are uncertain;"
+          " use a smaller bend_deg, sleeve_diameter or side_cutting",
+          30.0 * r.measure / degree, 30.0 * r.allowed / degree);
     case AccuracyDoubt::slant:
-      return text("the hole is inclined by %.0f deg at the rotary table, but the rig is upright: hook load and torque include a bend there;"
-                  " use a well.survey that begins vertical", r.measure / degree);
+      return text(
+          "the hole is inclined by %.0f deg at the rotary table, but the rig is upright: hook load and torque include a bend "
+          "there;"
+          " use a well.survey that begins vertical",
+          r.measure / degree);
   }
   return "";
 }

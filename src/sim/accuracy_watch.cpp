@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/sim/accuracy_watch.h"
 
 #include <algorithm>
@@ -11,15 +12,16 @@ namespace drill_rig_sim
 {
 namespace
 {
-constexpr std::uint64_t every = 10;      // frames
-constexpr double stays = 10.0;           // [s]
-constexpr double most_confined = 0.8;    // of the critical buckling load
-constexpr double most_twist = 1.0;       // [rad]
-constexpr double least_clearance = 2e-3; // [m]
+constexpr std::uint64_t every = 10;       // frames
+constexpr double stays = 10.0;            // [s]
+constexpr double most_confined = 0.8;     // of the critical buckling load
+constexpr double most_twist = 1.0;        // [rad]
+constexpr double least_clearance = 2e-3;  // [m]
 constexpr double most_slant = 10.0 * degree;
 }  // namespace
 
-void watch_model(const Model& model, const State& state, const RigForces& forces, double duration, AccuracyMemory& memory) noexcept
+void watch_model(const Model& model, const State& state, const RigForces& forces, double duration,
+                 AccuracyMemory& memory) noexcept
 {
   memory.stands_for = std::max(0.0, memory.stands_for - duration);
   if (memory.stands_for == 0.0) memory.report = AccuracyReport();
@@ -37,7 +39,8 @@ AccuracyReport doubt_of_level(const Scene& scene, const State& state) noexcept
 {
   constexpr unsigned of_free_nodes = need_direction | need_contact | need_buckling;
   constexpr unsigned of_waves = need_torque | need_bit_speed;
-  const unsigned no_bending = state.nodes.front().guided ? of_free_nodes : 0u, no_waves = scene.numerics.level == Level::rigid ? of_waves : 0u;
+  const unsigned no_bending = state.nodes.front().guided ? of_free_nodes : 0u,
+                 no_waves = scene.numerics.level == Level::rigid ? of_waves : 0u;
   const unsigned left_out = scene.needs & (no_bending | no_waves);
   return left_out ? AccuracyReport{AccuracyDoubt::level, static_cast<double>(left_out), 0.0, 0.0, 0.0} : AccuracyReport();
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/sim/assembly_fit.h"
 
 #include <cstdio>
@@ -27,7 +28,8 @@ std::string text_of(const TightAssembly& assembly)
 {
   char text[320];
   std::snprintf(text, sizeof text,
-                "the bent motor does not fit into its hole: its bit presses on the wall with %.1f kN, %.1f times the weight of bit and motor."
+                "the bent motor does not fit into its hole: its bit presses on the wall with %.1f kN, %.1f times the weight of "
+                "bit and motor."
                 " Slides may stop, and the hole turns by up to %.0f deg/30 m; use a smaller bend_deg or sleeve_diameter",
                 assembly.side_force / 1e3, assembly.side_force / assembly.weight, 30.0 * assembly.turn / degree);
   return text;

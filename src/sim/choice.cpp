@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/sim/choice.h"
 
 #include <cstdio>
@@ -10,7 +11,7 @@ namespace drill_rig_sim
 namespace
 {
 constexpr double two_joints = 20.0, quarter_joint = 2.4, eighth_joint = 1.2;  // [m]
-constexpr double many_turns = 3.0;  // [rad]
+constexpr double many_turns = 3.0;                                            // [rad]
 
 std::string percent(double tolerance)
 {
@@ -29,9 +30,9 @@ Choice choose_level(const Scene& scene)
   const bool in_the_middle = hangs_in_the_middle(scene);
   if (tolerance >= wide_tolerance && !(scene.needs & bending) && in_the_middle)
     return {Level::axial_torsional, "within " + percent(tolerance) + " bending is not needed"};
-  if (tolerance >= wide_tolerance) return {Level::hybrid, "within " + percent(tolerance) + " bending is needed only near the bit"};
-  if (in_the_middle)
-    return {Level::hybrid, "the string hangs: above the bottom-hole assembly it does not bend"};
+  if (tolerance >= wide_tolerance)
+    return {Level::hybrid, "within " + percent(tolerance) + " bending is needed only near the bit"};
+  if (in_the_middle) return {Level::hybrid, "the string hangs: above the bottom-hole assembly it does not bend"};
   if (tolerance >= middle_tolerance && !(scene.needs & (bending | turning)))
     return {Level::hybrid, "within " + percent(tolerance) + " neither bending nor torque and bit speed are needed"};
   return {Level::beam3d, "torque, bit speed or bending are needed within " + percent(tolerance) + " where pipe lies on its wall"};
@@ -57,7 +58,8 @@ Scene with_choice(const Scene& scene)
   Scene chosen = scene;
   NumericsSpec& numerics = chosen.numerics;
   numerics.companion = chosen_companion(numerics);
-  if (numerics.step == step_by_level) numerics.step = numerics.level == Level::automatic && varies_steps(numerics.integrator) ? 0.0 : default_step;
+  if (numerics.step == step_by_level)
+    numerics.step = numerics.level == Level::automatic && varies_steps(numerics.integrator) ? 0.0 : default_step;
   if (numerics.level != Level::automatic) return chosen;
   const Choice choice = choose(scene);
   numerics.level = choice.level;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "command_intake.h"
 
 #include <cmath>
@@ -10,8 +11,13 @@
 namespace drill_rig_sim
 {
 CommandIntake::CommandIntake(const Scene& scene, const Motion& motion, SimulatorState& state)
-  : scene_(scene), motion_(motion), state_(state), commands_(state.commands), delay_(state.delay), downlink_(state.downlink),
-    interlocks_(state.interlocks)
+    : scene_(scene),
+      motion_(motion),
+      state_(state),
+      commands_(state.commands),
+      delay_(state.delay),
+      downlink_(state.downlink),
+      interlocks_(state.interlocks)
 {
   delay_ = CommandDelay(scene_.rig.plc_latency, scene_.rig.hoisting.latency);
 }
@@ -41,7 +47,8 @@ StringAtTable CommandIntake::at_table() const noexcept
   constexpr double standing_block = 0.01;  // bouncing in its lines by less it counts as at rest [m/s]
   const State& now = motion_.shown();
   const Setpoints set = requested();
-  const bool bounces = scene_.rig.heave.amplitude == 0.0 && std::abs(block_velocity(now)) > standing_block;  // in waves it always does
+  const bool bounces =
+      scene_.rig.heave.amplitude == 0.0 && std::abs(block_velocity(now)) > standing_block;  // in waves it always does
   StringAtTable at;
   at.by_reference = scene_.numerics.integrator == IntegratorKind::ida;
   at.in_slips = now.slips.node >= 0;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SRC_SIM_COMMAND_INTAKE_H
 #define DRILL_RIG_SIM_SRC_SIM_COMMAND_INTAKE_H
 
@@ -10,8 +11,9 @@ namespace drill_rig_sim
 {
 struct FrameOrder;
 
-/// Commands, and what becomes of them: locks, the watchdog on their streams, the downlink to the string's tool, dead times, interlocks and faults.
-/// Owns `commands`, `delay`, `downlink` and `interlocks` of the simulator's state. Nothing but its constructor allocates.
+/// Commands, and what becomes of them: locks, the watchdog on their streams, the downlink to the string's tool, dead times,
+/// interlocks and faults. Owns `commands`, `delay`, `downlink` and `interlocks` of the simulator's state. Nothing but its
+/// constructor allocates.
 class CommandIntake
 {
 public:

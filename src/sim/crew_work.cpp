@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "crew_work.h"
 
 #include <algorithm>
@@ -11,15 +12,17 @@ namespace drill_rig_sim
 {
 namespace
 {
-constexpr double lifting_speed = 0.2;     // [m/s]
-constexpr double lowering_speed = 0.1;    // [m/s]
-constexpr double slacking_speed = 0.01;   // [m/s]
-constexpr double slowest = 5e-4;          // of it when the slips bear hardly anything [m/s]
-constexpr double by_load = 5e-7;          // of the block's speed by what the hook carries too much [m/s/N]
-constexpr double share_in_a_frame = 0.5;  // of what the hook carries too much that is taken off in one frame at most: by twice that the block would swing
-constexpr double rests = 2e3;             // what the pipe above the slips may carry to count as slack [N]
-constexpr double rest_time = 5.0, quiet_block = 2e-3;  // the string rings in its lines before it is laid into the slips [s], [m/s]
-constexpr double patience = 60.0;         // with what may not come about [s]
+constexpr double lifting_speed = 0.2;    // [m/s]
+constexpr double lowering_speed = 0.1;   // [m/s]
+constexpr double slacking_speed = 0.01;  // [m/s]
+constexpr double slowest = 5e-4;         // of it when the slips bear hardly anything [m/s]
+constexpr double by_load = 5e-7;         // of the block's speed by what the hook carries too much [m/s/N]
+constexpr double share_in_a_frame =
+    0.5;  // of what the hook carries too much that is taken off in one frame at most: by twice that the block would swing
+constexpr double rests = 2e3;  // what the pipe above the slips may carry to count as slack [N]
+constexpr double rest_time = 5.0,
+                 quiet_block = 2e-3;                  // the string rings in its lines before it is laid into the slips [s], [m/s]
+constexpr double patience = 60.0;                     // with what may not come about [s]
 constexpr double above_bottom = 0.1, tares_at = 0.5;  // of the block above where it stopped [m]
 
 WinchSetpoint run(double velocity, const HoistingSpec& spec) noexcept

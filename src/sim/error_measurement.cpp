@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "error_measurement.h"
 
 namespace drill_rig_sim
 {
 ErrorMeasurement::ErrorMeasurement(SimulatedRig& rig, Companions& companions) noexcept
-  : rig_(rig), companions_(companions), measured_(rig.state.measured), statistics_(rig.statistics)
+    : rig_(rig), companions_(companions), measured_(rig.state.measured), statistics_(rig.statistics)
 {
 }
 
@@ -57,8 +58,8 @@ void ErrorMeasurement::judge(double duration) noexcept
   statistics_.errors = measured_.errors();
   const OutputError largest = largest_of(statistics_.errors, rig_.scene.needs);
   if (largest.error > numerics.tolerance)
-    rig_.measurement.warn_of_error(
-        {AccuracyDoubt::measured, largest.error, 0.0, 0.0, numerics.tolerance, largest.output, measured_.statistics(largest.output)});
+    rig_.measurement.warn_of_error({AccuracyDoubt::measured, largest.error, 0.0, 0.0, numerics.tolerance, largest.output,
+                                    measured_.statistics(largest.output)});
 }
 
 void ErrorMeasurement::compare_frames() noexcept

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SRC_SIM_ERROR_MEASUREMENT_H
 #define DRILL_RIG_SIM_SRC_SIM_ERROR_MEASUREMENT_H
 
@@ -20,8 +21,8 @@ public:
   const MeasuredError& measured() const noexcept { return measured_; }
   /// Until companions have room for another frame.
   void make_room() noexcept;
-  /// After a frame of the run, `duration` [s]: compares what is due, and warns where the error is above the tolerance. Waits for the
-  /// companion where it is late, but for a pace that gives it up instead.
+  /// After a frame of the run, `duration` [s]: compares what is due, and warns where the error is above the tolerance. Waits for
+  /// the companion where it is late, but for a pace that gives it up instead.
   void judge(double duration) noexcept;
   /// Waits for all frames that were ordered.
   void collect_all() noexcept;

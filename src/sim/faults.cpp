@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/sim/faults.h"
 
 #include "drill_rig_sim/model/forces/place_drag.h"
@@ -52,14 +53,11 @@ constexpr Deed deeds[] = {
      [](State& s) { s.faults.brake_holds = FaultState().brake_holds; },
      [](const State& s) { return s.faults.brake_holds > 0.0; }},
     {FaultKind::drive_trip, [](const Beginning& b) { b.state.faults.drive_tripped = true; },
-     [](State& s) { s.faults.drive_tripped = false; },
-     [](const State& s) { return s.faults.drive_tripped; }},
+     [](State& s) { s.faults.drive_tripped = false; }, [](const State& s) { return s.faults.drive_tripped; }},
     {FaultKind::pump_trip, [](const Beginning& b) { b.state.faults.pump_tripped = true; },
-     [](State& s) { s.faults.pump_tripped = false; },
-     [](const State& s) { return s.faults.pump_tripped; }},
+     [](State& s) { s.faults.pump_tripped = false; }, [](const State& s) { return s.faults.pump_tripped; }},
     {FaultKind::motor_stall, [](const Beginning& b) { b.state.faults.motor_locked = true; },
-     [](State& s) { s.faults.motor_locked = false; },
-     [](const State& s) { return s.faults.motor_locked; }},
+     [](State& s) { s.faults.motor_locked = false; }, [](const State& s) { return s.faults.motor_locked; }},
     {FaultKind::washed_out_hole,
      [](const Beginning& b)
      {
@@ -77,11 +75,9 @@ constexpr Deed deeds[] = {
      [](State& s) { s.faults.leak_area = s.faults.leak_from_bit = 0.0; },
      [](const State& s) { return s.faults.leak_area > 0.0; }},
     {FaultKind::differential_sticking, [](const Beginning& b) { b.state.faults.sticking = drag_of(b.fault); },
-     [](State& s) { s.faults.sticking = FaultState().sticking; },
-     [](const State& s) { return s.faults.sticking.amount > 0.0; }},
+     [](State& s) { s.faults.sticking = FaultState().sticking; }, [](const State& s) { return s.faults.sticking.amount > 0.0; }},
     {FaultKind::pack_off, [](const Beginning& b) { b.state.faults.pack_off = drag_of(b.fault); },
-     [](State& s) { s.faults.pack_off = FaultState().pack_off; },
-     [](const State& s) { return s.faults.pack_off.amount > 0.0; }},
+     [](State& s) { s.faults.pack_off = FaultState().pack_off; }, [](const State& s) { return s.faults.pack_off.amount > 0.0; }},
     {FaultKind::friction_change,
      [](const Beginning& b)
      {
@@ -122,8 +118,7 @@ constexpr GaugeDeed gauge_deeds[] = {
        g.drift = m;
        g.drifted = 0.0;
      },
-     [](SensorFault& g) { g.drift = g.drifted = 0.0; },
-     [](const SensorFault& g) { return g.drift != 0.0; }}};
+     [](SensorFault& g) { g.drift = g.drifted = 0.0; }, [](const SensorFault& g) { return g.drift != 0.0; }}};
 static_assert(sizeof deeds / sizeof deeds[0] + sizeof gauge_deeds / sizeof gauge_deeds[0] == fault_count,
               "every fault begins and ends");
 

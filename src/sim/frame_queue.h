@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SRC_SIM_FRAME_QUEUE_H
 #define DRILL_RIG_SIM_SRC_SIM_FRAME_QUEUE_H
 
@@ -17,7 +18,8 @@
 
 namespace drill_rig_sim
 {
-/// A frame that a simulator's companions compute as well: the set points that its crew, watchdog and interlocks have made of the commands.
+/// A frame that a simulator's companions compute as well: the set points that its crew, watchdog and interlocks have made of the
+/// commands.
 struct FrameOrder
 {
   double duration = 0.0;  // [s]
@@ -57,7 +59,10 @@ public:
   FrameOrder& next() noexcept { return orders_[posted_ % capacity]; }
   void post() noexcept;
   /// The oldest frame whose result was not taken, where it is computed; else null.
-  const FrameOrder* result() const noexcept { return taken_ < done_.load(std::memory_order_acquire) ? &orders_[taken_ % capacity] : nullptr; }
+  const FrameOrder* result() const noexcept
+  {
+    return taken_ < done_.load(std::memory_order_acquire) ? &orders_[taken_ % capacity] : nullptr;
+  }
   /// Takes that result.
   void take() noexcept;
   /// Until the oldest frame whose result was not taken is computed; at once where there is none.

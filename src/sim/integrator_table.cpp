@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/sim/integrator_table.h"
 
 #include <utility>
@@ -15,9 +16,10 @@ const std::vector<IntegratorEntry>& integrator_table()
   {
     std::vector<IntegratorEntry> entries;
     for (const Method* method : method_table()) entries.push_back({method->kind, method->name, method->description});
-    entries.push_back({IntegratorKind::arkode_dirk, "arkode_dirk", "TR-BDF2 by SUNDIALS ARKODE with our linear solver, for comparison"});
     entries.push_back(
-        {IntegratorKind::ida, "ida", "the reference: the rig as a DAE with multipliers, variable order and step by SUNDIALS IDA; slow"});
+        {IntegratorKind::arkode_dirk, "arkode_dirk", "TR-BDF2 by SUNDIALS ARKODE with our linear solver, for comparison"});
+    entries.push_back({IntegratorKind::ida, "ida",
+                       "the reference: the rig as a DAE with multipliers, variable order and step by SUNDIALS IDA; slow"});
     return entries;
   }();
   return table;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/sim/level_watch.h"
 
 #include <cmath>
@@ -10,9 +11,9 @@ namespace drill_rig_sim
 {
 namespace
 {
-constexpr double opens = 0.6;    // of the buckling load
+constexpr double opens = 0.6;  // of the buckling load
 constexpr double closes = 0.4;
-constexpr double reach = 30.0;   // [m]
+constexpr double reach = 30.0;     // [m]
 constexpr double patience = 10.0;  // [s]
 }  // namespace
 

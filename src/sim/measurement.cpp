@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "measurement.h"
 
 #include <algorithm>
@@ -21,11 +22,22 @@ namespace drill_rig_sim
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
-Measurement::Measurement(const Scene& scene, const Motion& motion, const CommandIntake& commands, std::uint64_t seed, SimulatorState& state,
-                         SimulatorStatistics& statistics)
-  : scene_(scene), motion_(motion), commands_(commands), state_(state), truth_(state.truth), instruments_(state.instruments),
-    readings_(state.readings), zero_mean_(state.zero_mean), tared_(state.tared), tare_hook_load_(state.tare_hook_load),
-    tare_pressure_(state.tare_pressure), accuracy_(state.accuracy), statistics_(statistics), watch_(*motion.model())
+Measurement::Measurement(const Scene& scene, const Motion& motion, const CommandIntake& commands, std::uint64_t seed,
+                         SimulatorState& state, SimulatorStatistics& statistics)
+    : scene_(scene),
+      motion_(motion),
+      commands_(commands),
+      state_(state),
+      truth_(state.truth),
+      instruments_(state.instruments),
+      readings_(state.readings),
+      zero_mean_(state.zero_mean),
+      tared_(state.tared),
+      tare_hook_load_(state.tare_hook_load),
+      tare_pressure_(state.tare_pressure),
+      accuracy_(state.accuracy),
+      statistics_(statistics),
+      watch_(*motion.model())
 {
   zero_mean_ = ZeroMean(scene_.rig.heave.wave_period());
   measure_all();
@@ -190,7 +202,8 @@ void Measurement::measure_string_built() noexcept
   m.crew = state_.connection.under_way ? CrewTask::connecting : state_.crew.doing;
   // whole joints of the last part, the one at the block counted by its length
   const double pipe = state_.string.length - motion_.model()->mesh().part_bottom.back();
-  m.stand_count = static_cast<int>(std::floor(pipe / (scene_.rig.hoisting.stand_joints * scene_.string.back().joint_length) + 1e-9));
+  m.stand_count =
+      static_cast<int>(std::floor(pipe / (scene_.rig.hoisting.stand_joints * scene_.string.back().joint_length) + 1e-9));
 }
 
 void Measurement::measure_bit() noexcept
@@ -263,7 +276,8 @@ SubView Measurement::sub_view() const noexcept
   view.weight_below = standard_gravity * (mesh.bit_mass - scene_.mud.density * mesh.bit_displaced) * along(0);
   for (std::size_t e = 0; e <= here; ++e)
     view.weight_below += (e < here ? 1.0 : 0.5) * along(e) *
-                         motion_.model()->element_weight(static_cast<int>(e), s.nodes[e].position.z(), s.nodes[e + 1].position.z(), s.hydraulics.bore_top);
+                         motion_.model()->element_weight(static_cast<int>(e), s.nodes[e].position.z(),
+                                                         s.nodes[e + 1].position.z(), s.hydraulics.bore_top);
   view.tension = motion_.shown_forces().tension[here];
   view.torque = motion_.shown_forces().torque[here];
   view.bending_moment = motion_.shown_forces().bending_moment[here + 1];

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SRC_SIM_MEASUREMENT_H
 #define DRILL_RIG_SIM_SRC_SIM_MEASUREMENT_H
 
@@ -9,9 +10,9 @@
 
 namespace drill_rig_sim
 {
-/// From the state to the truth, and through the rig's gauges to the readings; the zero of weight and pressure; the watch on the model's limits.
-/// Owns `truth`, `instruments`, `readings`, `zero_mean`, the tare and `accuracy` of the simulator's state, and the loads and the accuracy
-/// in the statistics.
+/// From the state to the truth, and through the rig's gauges to the readings; the zero of weight and pressure; the watch on the
+/// model's limits. Owns `truth`, `instruments`, `readings`, `zero_mean`, the tare and `accuracy` of the simulator's state, and
+/// the loads and the accuracy in the statistics.
 class Measurement
 {
 public:

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // From frame to frame: steps of one length, or steps as their errors allow (numerics.step 0), in strides of several frames.
 #include "motion.h"
 
@@ -15,9 +16,19 @@
 namespace drill_rig_sim
 {
 Motion::Motion(const Scene& scene, std::shared_ptr<const Model> model, SimulatorState& state)
-  : numerics_(scene.numerics), mechanics_(state.mechanics), forces_(state.forces), levels_(state.levels), stride_(state.stride),
-    model_(std::move(model)), integrator_(make_integrator(numerics_.integrator, model_, mechanics_)), level_watch_(*model_),
-    variable_(numerics_.has_variable_steps()), stride_end_(mechanics_), between_(mechanics_), end_forces_(forces_), forces_between_(forces_)
+    : numerics_(scene.numerics),
+      mechanics_(state.mechanics),
+      forces_(state.forces),
+      levels_(state.levels),
+      stride_(state.stride),
+      model_(std::move(model)),
+      integrator_(make_integrator(numerics_.integrator, model_, mechanics_)),
+      level_watch_(*model_),
+      variable_(numerics_.has_variable_steps()),
+      stride_end_(mechanics_),
+      between_(mechanics_),
+      end_forces_(forces_),
+      forces_between_(forces_)
 {
   levels_.free_length = std::min(free_length(scene), model_->mesh().nodes.back().from_bit);
 }
@@ -91,7 +102,8 @@ bool Motion::begin_stride(double duration) noexcept
   return false;
 }
 
-/// The stride's end, which depends only on its start, length and set points. False: it is too long for one step, and the start wants a shorter one.
+/// The stride's end, which depends only on its start, length and set points. False: it is too long for one step, and the start
+/// wants a shorter one.
 bool Motion::solve_stride() noexcept
 {
   stride_end_ = mechanics_;

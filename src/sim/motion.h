@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SRC_SIM_MOTION_H
 #define DRILL_RIG_SIM_SRC_SIM_MOTION_H
 
@@ -10,8 +11,8 @@
 
 namespace drill_rig_sim
 {
-/// The rig's mechanics through time: its model, the integrator, and the step longer than a frame that may be under way (stride.h).
-/// Owns `mechanics`, `forces`, `levels` and `stride` of the simulator's state: all changes of them go through here.
+/// The rig's mechanics through time: its model, the integrator, and the step longer than a frame that may be under way
+/// (stride.h). Owns `mechanics`, `forces`, `levels` and `stride` of the simulator's state: all changes of them go through here.
 /// One thread calls all functions. Those that are noexcept do not allocate.
 class Motion
 {
@@ -43,8 +44,8 @@ public:
     settle();
     change(mechanics_);
   }
-  /// Guides all nodes that are more than `from_bit` above the bit's face [m]. False, and nothing changed: more than is free now, or a
-  /// level or integrator that has no choice.
+  /// Guides all nodes that are more than `from_bit` above the bit's face [m]. False, and nothing changed: more than is free now,
+  /// or a level or integrator that has no choice.
   bool set_free_length(double from_bit) noexcept;
   /// Moves the clock by `shift` [s].
   void shift_time(double shift) noexcept { mechanics_.time += shift; }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "pipe_handling.h"
 
 #include <algorithm>
@@ -26,7 +27,7 @@ bool same_below(const Mesh& a, const Mesh& b, int i) noexcept
 }  // namespace
 
 PipeHandling::PipeHandling(const Scene& scene, Motion& motion, CommandIntake& commands, SimulatorState& state)
-  : scene_(scene), motion_(motion), commands_(commands), state_(state), connection_(state.connection), string_(state.string)
+    : scene_(scene), motion_(motion), commands_(commands), state_(state), connection_(state.connection), string_(state.string)
 {
   string_ = {motion_.model()->mesh().total_length, scene_.start.bit_depth};
   string_changed();
@@ -76,11 +77,12 @@ int PipeHandling::joint_at(double from_bit) const noexcept
 
 void PipeHandling::set_slips(int joint) noexcept
 {
-  motion_.change([joint](State& state)
-                 {
-                   const NodeState& node = state.nodes[static_cast<std::size_t>(joint)];
-                   state.slips = {joint, node.position - state.hoist.floor.height * Eigen::Vector3d::UnitZ(), node.spin_angle};
-                 });
+  motion_.change(
+      [joint](State& state)
+      {
+        const NodeState& node = state.nodes[static_cast<std::size_t>(joint)];
+        state.slips = {joint, node.position - state.hoist.floor.height * Eigen::Vector3d::UnitZ(), node.spin_angle};
+      });
 }
 
 const char* PipeHandling::why_not_pulled() const noexcept
@@ -117,7 +119,8 @@ const char* PipeHandling::why_no_connection(int joints, bool remove) const noexc
     return "connection: the hook carries more than block and pipe above the slips, allowed: up to 10 kN more, slack off first";
   if (motion_.shown_forces().hook_load < most_rest_load)
     return "connection: the block rests on the pipe, allowed: only on its lines, pick up first";
-  if (remove && count >= joints_below_stump(motion_.model()->mesh(), scene_)) return "connection: the string does not have as many joints";
+  if (remove && count >= joints_below_stump(motion_.model()->mesh(), scene_))
+    return "connection: the string does not have as many joints";
   const double height = block_height(now) + length_of(joints, remove);
   if (height > hoisting.highest_block_height) return "connection: the block would rise above highest_block_height";
   return height < hoisting.lowest_block_height ? "connection: the block would go below lowest_block_height" : nullptr;
@@ -137,7 +140,8 @@ const char* PipeHandling::begin_connection(double length) noexcept
 
 const char* PipeHandling::break_out(double length)
 {
-  const std::shared_ptr<const Model> longer = model_of({string_.length + length, state_.truth.bit_depth}), model = motion_.model();
+  const std::shared_ptr<const Model> longer = model_of({string_.length + length, state_.truth.bit_depth}),
+                                     model = motion_.model();
   const int held = motion_.shown().slips.node;
   if (uppermost_joint(length < 0.0 ? longer->mesh() : model->mesh()) != held || !same_below(model->mesh(), longer->mesh(), held))
     return "connection: the slips hold another joint than the one to break out, move the block there first";
@@ -145,10 +149,12 @@ const char* PipeHandling::break_out(double length)
   const State& now = motion_.shown();
   const State next = made_up(*longer, now, held, length, motion_.free_length_of(*longer));
   make_integrator(scene_.numerics.integrator, longer, next);
-  const double foot = next.nodes[static_cast<std::size_t>(held)].position.z(), block = standard_gravity * scene_.rig.hoisting.block_mass;
+  const double foot = next.nodes[static_cast<std::size_t>(held)].position.z(),
+               block = standard_gravity * scene_.rig.hoisting.block_mass;
   const double after = hanging_pipe(*longer, held, foot).weight;
   const double travel = next.nodes.back().position.z() - now.nodes.back().position.z();
-  connection_ = {true, 0.0, length, travel, block + (length < 0.0 ? after : hanging_pipe(*model, held, foot).weight), block + after};
+  connection_ = {true,         0.0, length, travel, block + (length < 0.0 ? after : hanging_pipe(*model, held, foot).weight),
+                 block + after};
   if (!commands_.crew_drives()) commands_.by_crew() = Setpoints();
   commands_.let_crew_drive(true);
   return nullptr;
@@ -166,7 +172,8 @@ void PipeHandling::follow(double elapsed) noexcept
 
 bool PipeHandling::is_made_up() const noexcept
 {
-  return connection_.under_way && connection_.elapsed >= connection_duration(scene_.rig.hoisting, connection_.travel) - time_rounding;
+  return connection_.under_way &&
+         connection_.elapsed >= connection_duration(scene_.rig.hoisting, connection_.travel) - time_rounding;
 }
 
 void PipeHandling::end_connection()

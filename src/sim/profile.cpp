@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/sim/profile.h"
 
 #include <algorithm>
@@ -20,7 +21,8 @@ namespace drill_rig_sim
 {
 namespace
 {
-/// Effective tension to true axial force: the mud's pressures in the bore and outside, hydrostatic and of the pump, at an element [Pa].
+/// Effective tension to true axial force: the mud's pressures in the bore and outside, hydrostatic and of the pump, at an element
+/// [Pa].
 double true_axial_force(double effective, const MeshElement& e, double bore, double annulus) noexcept
 {
   return effective + bore * e.bore_area - annulus * e.outer_area;
@@ -53,7 +55,8 @@ double tension_at(const Model& model, const State& s, const std::vector<double>&
   return 0.5 * (top_of(i - 1) + foot_of(i));
 }
 
-/// What may be spent on raising the friction, so that a string that does not rest is refused after some 15 s: a third by the scene's elements, the rest by shorter ones.
+/// What may be spent on raising the friction, so that a string that does not rest is refused after some 15 s: a third by the
+/// scene's elements, the rest by shorter ones.
 constexpr double most_work = 10e6, first_work = 3e6;  // [nodes times iterations]
 
 StaticOutcome solve_within(double& work, const SlidingMotion& sliding, RigAtRest& rig, double first_share)
@@ -81,9 +84,9 @@ void put_top(double height, State& state) noexcept
   if (top.guided) settle_in_hole(state, state.nodes.size() - 1);
 }
 
-/// Full slip from the frictionless start. Pipe that is pushed into a helix at once may rest with fewer turns than one that is slacked off: where there is a helix, the
-/// friction is raised by and by, if it then rests at all.
-/// `first_share`: of the friction that is tried first.
+/// Full slip from the frictionless start. Pipe that is pushed into a helix at once may rest with fewer turns than one that is
+/// slacked off: where there is a helix, the friction is raised by and by, if it then rests at all. `first_share`: of the friction
+/// that is tried first.
 StaticOutcome slide(const SlidingMotion& sliding, double first_share, double& work, RigAtRest& rig)
 {
   const State start = rig.state;
@@ -97,12 +100,12 @@ StaticOutcome slide(const SlidingMotion& sliding, double first_share, double& wo
   return at_once;
 }
 
-/// Slips the string on until the bit carries the scene's weight again, or none as in the scene, which friction has changed: by secants, for friction holds part of
-/// what is slipped on, and by halves where so much at once finds no equilibrium.
+/// Slips the string on until the bit carries the scene's weight again, or none as in the scene, which friction has changed: by
+/// secants, for friction holds part of what is slipped on, and by halves where so much at once finds no equilibrium.
 StaticOutcome hold_weight(const Scene& scene, const SlidingMotion& sliding, double first_share, double& work, RigAtRest& rig)
 {
   constexpr int most_rounds = 20, most_tried = 500;
-  constexpr double least_slip = 1e-3;  // [m]
+  constexpr double least_slip = 1e-3;                                                         // [m]
   const double wanted = scene.start.weight_on_bit, tolerance = std::max(1e-4 * wanted, 1.0);  // [N]
   StaticOutcome outcome = slide(sliding, first_share, work, rig);
   if (!outcome.converged) return outcome;
@@ -126,7 +129,8 @@ StaticOutcome hold_weight(const Scene& scene, const SlidingMotion& sliding, doub
     return solve_static(*rig.model, rig.state, sliding);
   }
   std::ostringstream message;
-  message << "static: no equilibrium found with the scene's weight on bit for this motion: " << outcome.forces.wob << " N instead of " << wanted << " N";
+  message << "static: no equilibrium found with the scene's weight on bit for this motion: " << outcome.forces.wob
+          << " N instead of " << wanted << " N";
   throw std::runtime_error(message.str());
 }
 
@@ -135,7 +139,8 @@ StaticOutcome hold_weight(const Scene& scene, const SlidingMotion& sliding, doub
 {
   std::ostringstream message;
   message.precision(3);
-  message << "static: no equilibrium found for this motion with more than " << 100.0 * report.outcome.share << " % of the friction";
+  message << "static: no equilibrium found for this motion with more than " << 100.0 * report.outcome.share
+          << " % of the friction";
   const LoadShare& buckling = report.loads.buckling;
   if (buckling.share > 1.0)
     message << "; at that friction the pipe " << buckling.from_bit << " m above the bit carries " << buckling.share
@@ -147,7 +152,8 @@ StaticOutcome hold_weight(const Scene& scene, const SlidingMotion& sliding, doub
   throw std::runtime_error(message.str());
 }
 
-/// Stress of an element's outer fibre by a bending moment of its ends: M D / (2 I), with I of the tube that its diameters say [Pa].
+/// Stress of an element's outer fibre by a bending moment of its ends: M D / (2 I), with I of the tube that its diameters say
+/// [Pa].
 double bending_stress(const Model& model, std::size_t e, double moment) noexcept
 {
   const MeshElement& element = model.mesh().elements[e];
@@ -193,7 +199,8 @@ void fill_profile(const Model& model, const State& s, const RigForces& forces, S
     const std::size_t e = std::min(i, mesh.elements.size() - 1);
     const MeshElement& element = mesh.elements[e];
     const double under_table = per_metre * std::max(-node.position.z(), 0.0);
-    const double in_bore = mesh.nodes[i].from_bit < s.hydraulics.bore_top ? per_metre * std::max(surface - node.position.z(), 0.0) : 0.0;
+    const double in_bore =
+        mesh.nodes[i].from_bit < s.hydraulics.bore_top ? per_metre * std::max(surface - node.position.z(), 0.0) : 0.0;
     out.md[i] = closest.md;
     out.from_bit[i] = mesh.nodes[i].from_bit;
     out.position[i] = node.position;
@@ -204,12 +211,15 @@ void fill_profile(const Model& model, const State& s, const RigForces& forces, S
     out.bending_moment[i] = forces.bending_moment[i];
     out.contact_force[i] = forces.contact[i] + half_of_spans(forces.span_contact, i, 0.0);
     out.contact_vector[i] = forces.wall[i] + half_of_spans(forces.span_wall, i, Eigen::Vector3d(0.0, 0.0, 0.0));
-    out.contact_side[i] =
-        out.contact_force[i] > 0.0 ? angle_about(closest.tangent, high_side(closest.tangent), node.position - closest.centre) : 0.0;
+    out.contact_side[i] = out.contact_force[i] > 0.0
+                              ? angle_about(closest.tangent, high_side(closest.tangent), node.position - closest.centre)
+                              : 0.0;
     out.spin_speed[i] = node.rate.spin;
     out.radius[i] = 0.5 * element.outer_diameter;
-    out.bending_stress[i] = larger_at(mesh.elements.size(), i, [&](std::size_t k) { return bending_stress(model, k, forces.bending_moment[i]); });
-    out.buckling[i] = larger_at(mesh.elements.size(), i, [&](std::size_t k) { return buckling_share(model, s, k, forces.tension[k]); });
+    out.bending_stress[i] =
+        larger_at(mesh.elements.size(), i, [&](std::size_t k) { return bending_stress(model, k, forces.bending_moment[i]); });
+    out.buckling[i] =
+        larger_at(mesh.elements.size(), i, [&](std::size_t k) { return buckling_share(model, s, k, forces.tension[k]); });
     out.guided[i] = node.guided ? 1 : 0;
   }
 }
@@ -231,8 +241,10 @@ StaticReport report_on(const Scene& scene, const SlidingMotion& sliding, double 
   fill_profile(*rig.model, rig.state, report.outcome.forces, report.profile);
   report.hook_load_string = report.outcome.top_force;
   report.hook_load = report.hook_load_string + standard_gravity * scene.rig.hoisting.block_mass;
-  report.gauges = steady_hook_load(scene.rig.hoisting, report.hook_load, (sliding.axial_speed < 0.0) - (sliding.axial_speed > 0.0));
-  report.hook_load_gauge = scene.instruments.hook_load.place == HookLoadPlace::block ? report.gauges.at_block : report.gauges.at_dead_line;
+  report.gauges =
+      steady_hook_load(scene.rig.hoisting, report.hook_load, (sliding.axial_speed < 0.0) - (sliding.axial_speed > 0.0));
+  report.hook_load_gauge =
+      scene.instruments.hook_load.place == HookLoadPlace::block ? report.gauges.at_block : report.gauges.at_dead_line;
   report.torque = report.outcome.top_torque;
   report.bit_side_force = report.outcome.forces.contact.front();
   report.bit_side_direction = report.profile.contact_side.front();
@@ -243,7 +255,8 @@ StaticReport report_on(const Scene& scene, const SlidingMotion& sliding, double 
   return report;
 }
 
-/// More must push the string in than block and top drive weigh, though not all of the friction acts: what is found with all of it does not matter.
+/// More must push the string in than block and top drive weigh, though not all of the friction acts: what is found with all of it
+/// does not matter.
 bool outweighs_block(const Scene& scene, const StaticOutcome& outcome) noexcept
 {
   return !outcome.converged && outcome.share > 0.0 && outcome.top_force + standard_gravity * scene.rig.hoisting.block_mass < 0.0;
@@ -254,7 +267,9 @@ bool refine(NumericsSpec& numerics, bool pushed)
 {
   constexpr double half_joint = 4.75, least = 1.18;  // [m]
   double& length = pushed ? numerics.pushed_element_length : numerics.element_length;
-  const double before = length > 0.0 ? length : pushed && numerics.element_length > 0.0 ? std::min(numerics.element_length, half_joint) : half_joint;
+  const double before = length > 0.0                              ? length
+                        : pushed && numerics.element_length > 0.0 ? std::min(numerics.element_length, half_joint)
+                                                                  : half_joint;
   if (0.5 * before < least) return false;
   length = 0.5 * before;
   return true;
@@ -272,7 +287,8 @@ StaticReport static_report(const Scene& scene, const SlidingMotion& sliding)
     StaticReport report = report_on(meshed, sliding, first_share, work);
     report.refined_length = refined;
     if (outweighs_block(scene, report.outcome)) refuse(report);
-    if (!best || report.outcome.converged || (!best->outcome.converged && report.outcome.share > best->outcome.share)) best = report;
+    if (!best || report.outcome.converged || (!best->outcome.converged && report.outcome.share > best->outcome.share))
+      best = report;
     if (report.outcome.converged && report.accuracy.doubt != AccuracyDoubt::compression) break;
     if (refined == 0.0) work += most_work - first_work;
     if (work <= 0.0 || !refine(meshed.numerics, pushed)) break;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "rig_actions.h"
 
 #include "drill_rig_sim/crew/refusals.h"
@@ -27,10 +28,11 @@ const char* RigActions::make_connection(int joints, bool remove) noexcept
   if (const char* refused = rig_.pipe.why_no_connection(joints, remove)) return refused;
   const double length = rig_.pipe.length_of(joints, remove);
   if (const char* refused = rig_.pipe.begin_connection(length)) return refused;
-  companions_.lead([length](SimulatedRig& companion)
-                   {
-                     if (const char* refused = companion.pipe.begin_connection(length)) companion.fail(refused);
-                   });
+  companions_.lead(
+      [length](SimulatedRig& companion)
+      {
+        if (const char* refused = companion.pipe.begin_connection(length)) companion.fail(refused);
+      });
   return nullptr;
 }
 
@@ -64,12 +66,13 @@ const char* RigActions::inject(const Fault& fault) noexcept
   if (is_of_gauge(fault.kind))
     do_to_all([&fault](SimulatedRig& rig) { begin(fault, rig.measurement.fault_of(fault.gauge)); });
   else
-    do_to_all([&fault](SimulatedRig& rig)
-              {
-                const Model& model = *rig.motion.model();
-                const double bit_depth = rig.state.truth.bit_depth;
-                rig.motion.change([&](State& state) { begin(model, bit_depth, fault, state); });
-              });
+    do_to_all(
+        [&fault](SimulatedRig& rig)
+        {
+          const Model& model = *rig.motion.model();
+          const double bit_depth = rig.state.truth.bit_depth;
+          rig.motion.change([&](State& state) { begin(model, bit_depth, fault, state); });
+        });
   return nullptr;
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SRC_SIM_RIG_ACTIONS_H
 #define DRILL_RIG_SIM_SRC_SIM_RIG_ACTIONS_H
 
@@ -6,7 +7,8 @@
 
 namespace drill_rig_sim
 {
-/// What is done to a rig between two frames, and then to its companions. Reasons are one line, in static storage; null: it was done.
+/// What is done to a rig between two frames, and then to its companions. Reasons are one line, in static storage; null: it was
+/// done.
 class RigActions
 {
 public:
@@ -22,7 +24,8 @@ public:
   void finish_connection();
   /// False, and nothing changed: on bottom, or in the slips.
   bool tare() noexcept;
-  /// The same over the last `duration` [s], and what the gauges were zeroed at. False too where that is longer than they can be averaged over.
+  /// The same over the last `duration` [s], and what the gauges were zeroed at. False too where that is longer than they can be
+  /// averaged over.
   bool tare_over(double duration, Zero& zero) noexcept;
   const char* inject(const Fault& fault) noexcept;
   /// `gauge`: of a fault of gauges.

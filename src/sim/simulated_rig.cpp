@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "simulated_rig.h"
 
 #include <algorithm>
@@ -19,7 +20,8 @@ const char* name_of(Level level) noexcept
 
 int guided_nodes(const State& state) noexcept
 {
-  return static_cast<int>(std::count_if(state.nodes.begin(), state.nodes.end(), [](const NodeState& node) { return node.guided; }));
+  return static_cast<int>(
+      std::count_if(state.nodes.begin(), state.nodes.end(), [](const NodeState& node) { return node.guided; }));
 }
 
 /// Of the nodes, rotor and line.
@@ -41,8 +43,12 @@ RigForces forces_of(RigAtRest& rig, const Scene& scene)
 }  // namespace
 
 SimulatedRig::SimulatedRig(const Scene& s, std::uint64_t seed, RigAtRest&& rig)
-  : scene(s), state(std::move(rig.state), forces_of(rig, scene)), motion(scene, std::move(rig.model), state), commands(scene, motion, state),
-    pipe(scene, motion, commands, state), measurement(scene, motion, commands, seed, state, statistics)
+    : scene(s),
+      state(std::move(rig.state), forces_of(rig, scene)),
+      motion(scene, std::move(rig.model), state),
+      commands(scene, motion, state),
+      pipe(scene, motion, commands, state),
+      measurement(scene, motion, commands, seed, state, statistics)
 {
   state.scene = scene_hash(scene);
   count_start();

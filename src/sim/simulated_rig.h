@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SRC_SIM_SIMULATED_RIG_H
 #define DRILL_RIG_SIM_SRC_SIM_SIMULATED_RIG_H
 
@@ -13,8 +14,8 @@ namespace drill_rig_sim
 {
 struct FrameOrder;
 
-/// One model of the rig: the run's own, or a companion. Its state, and the parts that work on it; each part owns fields of the state, as its
-/// header says, and changes no other.
+/// One model of the rig: the run's own, or a companion. Its state, and the parts that work on it; each part owns fields of the
+/// state, as its header says, and changes no other.
 struct SimulatedRig
 {
   /// At rest. Throws std::runtime_error with one line where there is no static equilibrium. `seed`: of the gauges' noise.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SRC_SIM_SIMULATOR_IMPL_H
 #define DRILL_RIG_SIM_SRC_SIM_SIMULATOR_IMPL_H
 
@@ -17,7 +18,12 @@ namespace drill_rig_sim
 struct Simulator::Impl
 {
   Impl(const Scene& scene, std::uint64_t seed_of_noise)
-    : seed(seed_of_noise), rig(scene, seed_of_noise), companions(rig), actions(rig, companions), crew(rig, actions), error(rig, companions)
+      : seed(seed_of_noise),
+        rig(scene, seed_of_noise),
+        companions(rig),
+        actions(rig, companions),
+        crew(rig, actions),
+        error(rig, companions)
   {
   }
 

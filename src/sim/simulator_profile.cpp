@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What the simulator shows of the string: quantities along it, and the places of its parts.
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/sim/snapshot_file.h"
 
 #include <cstdio>
@@ -59,9 +60,12 @@ struct Head
   SceneStart there;
   std::memcpy(&there.scene, all.data() + 48, sizeof there.scene);
   std::memcpy(&there.bit_depth, all.data() + 56, sizeof there.bit_depth);
-  if (there.scene != here.scene || there.bit_depth == here.bit_depth) refuse(file, "is a snapshot of another scene; allowed is a snapshot of this rig's scene");
+  if (there.scene != here.scene || there.bit_depth == here.bit_depth)
+    refuse(file, "is a snapshot of another scene; allowed is a snapshot of this rig's scene");
   char text[160];
-  std::snprintf(text, sizeof text, "is a snapshot of this scene with start.bit_depth %.10g m; allowed is that of this rig, %.10g m: reset_well with that bit_depth first",
+  std::snprintf(text, sizeof text,
+                "is a snapshot of this scene with start.bit_depth %.10g m; allowed is that of this rig, %.10g m: reset_well with "
+                "that bit_depth first",
                 there.bit_depth, here.bit_depth);
   refuse(file, text);
 }
@@ -69,7 +73,8 @@ struct Head
 std::vector<unsigned char> whole_file(const std::string& file)
 {
   std::error_code error;
-  if (!std::filesystem::is_regular_file(file, error)) refuse(file, "is not a regular file; allowed is a snapshot written by save_state");
+  if (!std::filesystem::is_regular_file(file, error))
+    refuse(file, "is not a regular file; allowed is a snapshot written by save_state");
   const std::uintmax_t size = std::filesystem::file_size(file, error);
   if (error || size > longest) refuse(file, "is longer than the 16 MiB that are allowed");
   std::vector<unsigned char> bytes(static_cast<std::size_t>(size));
@@ -135,7 +140,8 @@ Snapshot read_snapshot(const std::string& file, std::uint64_t scene, std::uint64
   head.size = bytes.size();
   head.checksum = hash_bytes(bytes.data(), bytes.size());
   const std::vector<unsigned char> expected = head.bytes();
-  const auto differs = [&](std::size_t from, std::size_t count) { return std::memcmp(all.data() + from, expected.data() + from, count) != 0; };
+  const auto differs = [&](std::size_t from, std::size_t count)
+  { return std::memcmp(all.data() + from, expected.data() + from, count) != 0; };
   if (differs(8, 4)) refuse(file, "is a snapshot of another format; allowed is format " + std::to_string(snapshot_format));
   if (differs(12, 8)) refuse_scene(file, all, start);
   if (differs(20, 8)) refuse(file, "is a snapshot of another version, whose state differs; allowed is one of this version");

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/sim/wall_loss.h"
 
 #include <algorithm>
@@ -9,7 +10,7 @@ namespace drill_rig_sim
 {
 namespace
 {
-constexpr double shallow = 0.05;  // of the clearance
+constexpr double shallow = 0.05;                           // of the clearance
 constexpr double equal_share = 0.05, equal_force = 500.0;  // [-], [N]
 
 /// Whether a part's body may lose side forces: pipe is slender, the bit's wall is stiff.
@@ -26,7 +27,9 @@ public:
 
   void look(int part, const ContactLaw& law, double force, double clearance, double from_bit)
   {
-    if (force <= 0.0 || law.stiffness >= scene_.contact.assembly_stiffness || !may_lose(scene_.string[static_cast<std::size_t>(part)])) return;
+    if (force <= 0.0 || law.stiffness >= scene_.contact.assembly_stiffness ||
+        !may_lose(scene_.string[static_cast<std::size_t>(part)]))
+      return;
     const double depth = std::pow(force / law.stiffness, 1.0 / law.exponent);
     const double share = depth / std::max(clearance, 1e-6);
     if (share <= share_) return;
@@ -49,12 +52,14 @@ Deepest deepest_of(const RigAtRest& rig)
   const Mesh& mesh = rig.model->mesh();
   const RigForces& forces = rig.statics.forces;
   Deepest deepest(rig.model->scene());
-  const auto hole = [&rig](std::size_t node) { return rig.state.well.radius_near(rig.state.nodes[node].position, rig.state.nodes[node].segment); };
+  const auto hole = [&rig](std::size_t node)
+  { return rig.state.well.radius_near(rig.state.nodes[node].position, rig.state.nodes[node].segment); };
   for (std::size_t i = 0; i + 1 < mesh.nodes.size(); ++i)
-    deepest.look(mesh.nodes[i].part, mesh.nodes[i].contact, forces.contact[i], hole(i) - mesh.nodes[i].contact_radius, mesh.nodes[i].from_bit);
+    deepest.look(mesh.nodes[i].part, mesh.nodes[i].contact, forces.contact[i], hole(i) - mesh.nodes[i].contact_radius,
+                 mesh.nodes[i].from_bit);
   for (std::size_t e = 0; e < mesh.elements.size(); ++e)
-    deepest.look(mesh.elements[e].part, mesh.elements[e].contact, forces.span_contact[e], hole(e) - 0.5 * mesh.elements[e].outer_diameter,
-                 mesh.middle(e));
+    deepest.look(mesh.elements[e].part, mesh.elements[e].contact, forces.span_contact[e],
+                 hole(e) - 0.5 * mesh.elements[e].outer_diameter, mesh.middle(e));
   return deepest;
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/solve/energy_balance.h"
 
 #include <algorithm>
@@ -300,8 +301,7 @@ void EnergyBalance::book_numerical() noexcept
 
   const double lift = after_.increment[after_.increment.size() - 4] - after_.floor_moved;  // of the block, z of the last node
   accounts_.of_line += -mean(before_.hook_force, after_.hook_force) * lift -
-                       mean(before_.line_price, after_.line_price) * after_.line_paid_out -
-                       (end.line - start.line);
+                       mean(before_.line_price, after_.line_price) * after_.line_paid_out - (end.line - start.line);
 }
 
 }  // namespace drill_rig_sim

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/solve/halving_integrator.h"
 
 #include "drill_rig_sim/solve/energy_balance.h"
@@ -8,8 +9,9 @@ namespace
 {
 constexpr int kMaxHalvings = 5;
 constexpr int kMaxRefinements = 3;
-constexpr int kBudget = 240;    // Newton iterations that one step may cost in all
-constexpr int kLeftToHalve = 60;  // of them those that must be left before a step is refined that has a solution: its eighths need some 16
+constexpr int kBudget = 240;  // Newton iterations that one step may cost in all
+constexpr int kLeftToHalve =
+    60;  // of them those that must be left before a step is refined that has a solution: its eighths need some 16
 }  // namespace
 
 void HalvingIntegrator::open_books(const State& state, const Setpoints& setpoints) noexcept

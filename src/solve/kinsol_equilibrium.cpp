@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/solve/kinsol_equilibrium.h"
 
 #include <nvector/nvector_serial.h>
@@ -32,7 +33,8 @@ int solve_callback(SUNLinearSolver solver, SUNMatrix, N_Vector x, N_Vector b, do
 {
   auto* session = static_cast<Session*>(solver->content);
   N_VScale(1.0, b, x);
-  return session->problem->solve_tangent(session->last_u.data(), N_VGetArrayPointer(x)) ? kSundialsSuccess : SUNLS_PACKAGE_FAIL_REC;
+  return session->problem->solve_tangent(session->last_u.data(), N_VGetArrayPointer(x)) ? kSundialsSuccess
+                                                                                        : SUNLS_PACKAGE_FAIL_REC;
 }
 
 SUNLinearSolver_Type type_callback(SUNLinearSolver)

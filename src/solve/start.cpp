@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/solve/start.h"
 
 #include <algorithm>
@@ -33,8 +34,8 @@ constexpr double kWeightTolerance = 1e-4;    // of the weight on bit, relative
 constexpr double kMissedWeight = 0.01;       // in the same way
 constexpr double kToolfaceTolerance = 1e-6;  // [rad]
 constexpr double kMissedToolface = 1e-3;     // [rad]
-constexpr double kHoldTolerance = 1e-2;      // of the torque that holds the bend: its friction takes ten thousand times as much [N m]
-constexpr double kMostWork = 2e7;            // of one start [nodes times iterations]; some 50 s
+constexpr double kHoldTolerance = 1e-2;  // of the torque that holds the bend: its friction takes ten thousand times as much [N m]
+constexpr double kMostWork = 2e7;        // of one start [nodes times iterations]; some 50 s
 constexpr int kStretchRounds = 4;
 
 /// A string to begin with.
@@ -61,10 +62,11 @@ std::vector<double> torsional_compliances(const Mesh& mesh)
   return compliance;
 }
 
-/// Nodes along the hole, resting on its low side where it is inclined; sections twisted as the guess says, y axes at the toolface. `stretch`: how
-/// far each node is from its unstretched place, away from the bit [m]; nodes farther than `free_length` above the bit's face are guided [m].
-void place_string(const Mesh& mesh, const Wellbore& well, double depth, const Guess& guess, const std::vector<double>& stretch, double free_length,
-                  State& state)
+/// Nodes along the hole, resting on its low side where it is inclined; sections twisted as the guess says, y axes at the
+/// toolface. `stretch`: how far each node is from its unstretched place, away from the bit [m]; nodes farther than `free_length`
+/// above the bit's face are guided [m].
+void place_string(const Mesh& mesh, const Wellbore& well, double depth, const Guess& guess, const std::vector<double>& stretch,
+                  double free_length, State& state)
 {
   state.nodes.assign(mesh.nodes.size(), NodeState());
   state.spans.assign(mesh.elements.size(), SpanState());
@@ -104,11 +106,13 @@ double angle_error(double angle, double wanted)
   return std::remainder(angle - wanted, 2.0 * pi);
 }
 
-/// What an element whose upper end is at measured depth `depth` pulls along its hole, in mud, a string empty inside down to `level` [N].
+/// What an element whose upper end is at measured depth `depth` pulls along its hole, in mud, a string empty inside down to
+/// `level` [N].
 double pull_along_hole(const MeshElement& e, const Scene& scene, const Wellbore& well, double depth, double level)
 {
   const double empty = std::clamp((level - depth) / e.section.length, 0.0, 1.0);
-  return standard_gravity * (e.linear_mass - scene.mud.density * (e.displaced + empty * e.holds)) * e.section.length * -well.at(depth).tangent.z();
+  return standard_gravity * (e.linear_mass - scene.mud.density * (e.displaced + empty * e.holds)) * e.section.length *
+         -well.at(depth).tangent.z();
 }
 
 /// How far each node moves away from the bit as the string stretches under its own weight in mud, bit
@@ -141,11 +145,13 @@ void check_weight_on_bit(const Scene& scene, const Mesh& mesh, const Wellbore& w
   for (const MeshElement& e : mesh.elements) most += pull_along_hole(e, scene, well, depth -= e.section.length, level);
   if (scene.start.weight_on_bit < most) return;
   std::ostringstream message;
-  message << "weight_on_bit: " << scene.start.weight_on_bit << " N is more than string and block weigh, allowed: less than " << most << " N";
+  message << "weight_on_bit: " << scene.start.weight_on_bit << " N is more than string and block weigh, allowed: less than "
+          << most << " N";
   fail(message.str());
 }
 
-/// Puts the string of `rig` into the hole and lets it come to rest. `work`: of the start so far [nodes times iterations], bounded.
+/// Puts the string of `rig` into the hole and lets it come to rest. `work`: of the start so far [nodes times iterations],
+/// bounded.
 void find_equilibrium(const Scene& scene, const Wellbore& well, double depth, const Guess& guess, double& work, RigAtRest& rig)
 {
   const Mesh& mesh = rig.model->mesh();
@@ -158,7 +164,8 @@ void find_equilibrium(const Scene& scene, const Wellbore& well, double depth, co
   const auto rest = [&]
   {
     fill_bore(*rig.model, rig.state);
-    rig.statics = guess.held ? solve_held(*rig.model, rig.state, hold, static_cast<int>(most)) : solve_static(*rig.model, rig.state, no_sliding, static_cast<int>(most));
+    rig.statics = guess.held ? solve_held(*rig.model, rig.state, hold, static_cast<int>(most))
+                             : solve_static(*rig.model, rig.state, no_sliding, static_cast<int>(most));
     work += 1.0 * rig.statics.iterations * rig.model->nodes();
   };
   rest();
@@ -166,10 +173,11 @@ void find_equilibrium(const Scene& scene, const Wellbore& well, double depth, co
   if (rig.statics.converged) return;
   std::ostringstream message;
   if (work >= kMostWork)
-    message << "no static equilibrium found within the allowed work of " << kMostWork << " iterations times nodes; use a larger numerics.element_length";
+    message << "no static equilibrium found within the allowed work of " << kMostWork
+            << " iterations times nodes; use a larger numerics.element_length";
   else
-    message << "no static equilibrium found for the string at bit depth " << depth << " m (residual " << rig.statics.residual << " N after "
-            << rig.statics.iterations << " iterations)";
+    message << "no static equilibrium found for the string at bit depth " << depth << " m (residual " << rig.statics.residual
+            << " N after " << rig.statics.iterations << " iterations)";
   fail(message.str());
 }
 
@@ -184,7 +192,8 @@ void check_loads_of_bit(const StartSpec& start, const Model& model, const Wellbo
     message << "weight_on_bit: " << start.weight_on_bit << " N is more than string and block weigh, allowed: less than "
             << start.weight_on_bit + hook_load << " N";
   else if (start.torque_on_bit > most)
-    message << "torque_on_bit: " << start.torque_on_bit << " N m is more than the rock can resist at this weight, allowed: up to " << most << " N m";
+    message << "torque_on_bit: " << start.torque_on_bit << " N m is more than the rock can resist at this weight, allowed: up to "
+            << most << " N m";
   if (!message.str().empty()) fail(message.str());
 }
 
@@ -193,7 +202,8 @@ void check_hook_load(const HoistingSpec& hoisting, double hook_load)
 {
   if (hook_load < hoisting.max_hook_load) return;
   std::ostringstream message;
-  message << "rig.hoisting.max_hook_load: must be above the load of string and block, " << hook_load << " N (got " << hoisting.max_hook_load << " N)";
+  message << "rig.hoisting.max_hook_load: must be above the load of string and block, " << hook_load << " N (got "
+          << hoisting.max_hook_load << " N)";
   fail(message.str());
 }
 
@@ -260,11 +270,14 @@ StartErrors errors_of(const Scene& scene, const Wellbore& well, double depth, co
   const bool on_bottom = start.weight_on_bit > 0.0;
   const double weight = rig.statics.forces.wob, weight_error = weight - start.weight_on_bit;
   StartErrors errors;
-  // a heavy bit is a long string: what it is too heavy by is what the string is shortened by, seen through its compliance and the rock's
+  // a heavy bit is a long string: what it is too heavy by is what the string is shortened by, seen through its compliance and the
+  // rock's
   errors.length = weight_error * (string_compliance(mesh) + rock_compliance(*rig.model, well));
   if (!on_bottom || weight <= 0.0) errors.length += bit_depth(*rig.model, rig.state) - depth;
-  errors.depth = on_bottom ? std::abs(weight_error) / (kWeightTolerance * start.weight_on_bit) : std::abs(errors.length) / kDepthTolerance;
-  errors.much_depth = on_bottom ? std::abs(weight_error) / (kMissedWeight * start.weight_on_bit) : std::abs(errors.length) / kMissedDepth;
+  errors.depth =
+      on_bottom ? std::abs(weight_error) / (kWeightTolerance * start.weight_on_bit) : std::abs(errors.length) / kDepthTolerance;
+  errors.much_depth =
+      on_bottom ? std::abs(weight_error) / (kMissedWeight * start.weight_on_bit) : std::abs(errors.length) / kMissedDepth;
   if (mesh.bend_node < 0) return errors;
   errors.toolface = angle_error(bend_toolface(*rig.model, rig.state), start.toolface);
   errors.holding_torque = rig.statics.holding_torque;
@@ -272,8 +285,8 @@ StartErrors errors_of(const Scene& scene, const Wellbore& well, double depth, co
   return errors;
 }
 
-/// The next guess of the top's angle. A long string, soft in torsion, rests in some toolfaces only: where turning it does not bring the bend to the
-/// scene's, the bend is held there until the string's own torque does so.
+/// The next guess of the top's angle. A long string, soft in torsion, rests in some toolfaces only: where turning it does not
+/// bring the bend to the scene's, the bend is held there until the string's own torque does so.
 void turn(double toolface, int round, const StartErrors& errors, Guess& guess) noexcept
 {
   if (guess.held)
@@ -289,8 +302,8 @@ void turn(double toolface, int round, const StartErrors& errors, Guess& guess) n
 [[noreturn]] void refuse(const StartErrors& errors, bool on_bottom)
 {
   std::ostringstream message;
-  message << "no static equilibrium found with the scene's " << (on_bottom ? "weight_on_bit" : "bit_depth") << " and toolface: off by " << errors.length << " m of string and "
-          << errors.toolface / degree << " deg";
+  message << "no static equilibrium found with the scene's " << (on_bottom ? "weight_on_bit" : "bit_depth")
+          << " and toolface: off by " << errors.length << " m of string and " << errors.toolface / degree << " deg";
   if (!errors.is_free()) message << ", with the bend held by " << errors.holding_torque << " N m";
   fail(message.str());
 }

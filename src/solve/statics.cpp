@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/solve/statics.h"
 
 #include <algorithm>
@@ -24,14 +25,15 @@ constexpr double kLastCoefficient = 0.01;    // below this inertia is gone besid
 constexpr double kLongMove = 0.02;           // a longer increment is cut, and c stays [m, rad]
 constexpr double kLongSpin = 1.0;            // the same of spin where the string turns: friction twists it by many radians [rad]
 constexpr int kMaxContinuation = 400;
-constexpr int kMostRounds = 3;               // of continuation and Newton's method
+constexpr int kMostRounds = 3;  // of continuation and Newton's method
 constexpr int kMaxNewton = 100;
-constexpr double kMoreInertia = 3.0;          // c grows by that where the next increment would go uphill
+constexpr double kMoreInertia = 3.0;                   // c grows by that where the next increment would go uphill
 constexpr double kMoreShare = 0.02, kMostShare = 0.9;  // and falls more slowly from then on: else it snaps to and fro for ever
-constexpr double kHoldStiffness = 1e7;       // about the bend's axis [N m/rad]
+constexpr double kHoldStiffness = 1e7;                 // about the bend's axis [N m/rad]
 constexpr double kLeastShare = 0.03;
-constexpr int kMostTried = kMaxContinuation + kMaxNewton;  // of one share of the friction: a helix that goes on turning settles in less of it
-constexpr double kTolerance = 1e-3;          // residual: round-off of a kilometre of steel is 1e-4 [N, N m]
+constexpr int kMostTried =
+    kMaxContinuation + kMaxNewton;   // of one share of the friction: a helix that goes on turning settles in less of it
+constexpr double kTolerance = 1e-3;  // residual: round-off of a kilometre of steel is 1e-4 [N, N m]
 
 double largest_magnitude(const std::vector<double>& values)
 {
@@ -49,7 +51,8 @@ double largest_of_turning(const std::vector<double>& move, const std::vector<Vec
     const Eigen::Map<const Vector3d> place(&move[6 * i]), rotation(&move[6 * i + 3]);
     const double spin = rotation.dot(normals[i]);
     const Vector3d tilt = rotation - spin * normals[i];
-    most = std::max({most, place.lpNorm<Eigen::Infinity>(), tilt.lpNorm<Eigen::Infinity>(), std::abs(spin) * kLongMove / kLongSpin});
+    most =
+        std::max({most, place.lpNorm<Eigen::Infinity>(), tilt.lpNorm<Eigen::Infinity>(), std::abs(spin) * kLongMove / kLongSpin});
   }
   return most;
 }
@@ -58,9 +61,15 @@ double largest_of_turning(const std::vector<double>& move, const std::vector<Vec
 class StaticForces
 {
 public:
-  StaticForces(const Model& model, const State& state, const ToolfaceHold& hold) : stage(model), work(model), model_(model), state_(state), hold_(hold) {}
+  StaticForces(const Model& model, const State& state, const ToolfaceHold& hold)
+      : stage(model), work(model), model_(model), state_(state), hold_(hold)
+  {
+  }
 
-  void begin(const SlidingMotion& sliding, double coefficient) noexcept { begin_static(model_, state_, sliding, coefficient, stage); }
+  void begin(const SlidingMotion& sliding, double coefficient) noexcept
+  {
+    begin_static(model_, state_, sliding, coefficient, stage);
+  }
 
   void evaluate(const double* u, double* residual, BlockTridiagonal* tangent) noexcept
   {
@@ -89,8 +98,9 @@ private:
   const ToolfaceHold hold_;
 };
 
-/// Steps of pseudo-time, each one Newton iteration from rest; returns the iterations used. An increment that the forces do not drive leads to an
-/// equilibrium that is none to rest in, as where compressed pipe snaps from one side of its hole to the other: more inertia turns it round.
+/// Steps of pseudo-time, each one Newton iteration from rest; returns the iterations used. An increment that the forces do not
+/// drive leads to an equilibrium that is none to rest in, as where compressed pipe snaps from one side of its hole to the other:
+/// more inertia turns it round.
 int continuation(const Model& model, State& state, const SlidingMotion& sliding, int most, StaticForces& forces)
 {
   const int n = model.nodes();
@@ -119,14 +129,16 @@ int continuation(const Model& model, State& state, const SlidingMotion& sliding,
     commit(forces.stage, forces.work, state);
     advance_static(forces.work, state);
     if (size < 1e-7 && c <= kLastCoefficient) return k + 1;
-    if (scale == 1.0) c = std::max(share * c, 0.5 * kLastCoefficient);
-    else c = std::min(1.5 * c, kFirstCoefficient);
+    if (scale == 1.0)
+      c = std::max(share * c, 0.5 * kLastCoefficient);
+    else
+      c = std::min(1.5 * c, kFirstCoefficient);
   }
   return most;
 }
 
-/// What rounding the nodes' places leaves of a residual, the largest over the elements: places are known to eps times themselves, and an
-/// element answers with its stiffness, along its chord and across it [N].
+/// What rounding the nodes' places leaves of a residual, the largest over the elements: places are known to eps times themselves,
+/// and an element answers with its stiffness, along its chord and across it [N].
 double round_off(const Mesh& mesh, const State& state)
 {
   double most = 0.0;
@@ -185,14 +197,16 @@ KinsolOutcome finish(const Model& model, State& state, const SlidingMotion& slid
 }
 
 /// From the guess `state` to the equilibrium with the friction that `sliding` says, in one go.
-StaticOutcome attempt(const Model& model, State& state, const SlidingMotion& sliding, int most_iterations, const ToolfaceHold& hold)
+StaticOutcome attempt(const Model& model, State& state, const SlidingMotion& sliding, int most_iterations,
+                      const ToolfaceHold& hold)
 {
   StaticForces forces(model, state, hold);
   StaticOutcome out;
   for (int round = 0; round < kMostRounds && !out.converged && (round == 0 || out.iterations < most_iterations); ++round)
   {
     // a helix slides round its hole until it rests, millimetre by millimetre
-    out.iterations += continuation(model, state, sliding, std::min(kMaxContinuation << (2 * round), most_iterations - out.iterations), forces);
+    out.iterations +=
+        continuation(model, state, sliding, std::min(kMaxContinuation << (2 * round), most_iterations - out.iterations), forces);
     const KinsolOutcome finished = finish(model, state, sliding, std::min(kMaxNewton, most_iterations - out.iterations), forces);
     out.converged = finished.converged;
     out.iterations += finished.iterations;
@@ -215,7 +229,8 @@ StaticOutcome solve_held(const Model& model, State& state, const ToolfaceHold& h
   return attempt(model, state, no_sliding, most_iterations, hold);
 }
 
-StaticOutcome solve_static(const Model& model, State& state, const SlidingMotion& sliding, int most_iterations, double first_share)
+StaticOutcome solve_static(const Model& model, State& state, const SlidingMotion& sliding, int most_iterations,
+                           double first_share)
 {
   const ToolfaceHold free;
   if (sliding.still()) return attempt(model, state, sliding, most_iterations, free);

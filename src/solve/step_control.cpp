@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/solve/step_control.h"
 
 #include <algorithm>
@@ -12,16 +13,16 @@ namespace drill_rig_sim
 namespace
 {
 constexpr double steps_by_tolerance = 4.0 / 3.0;  // what is allowed, step^2, goes with the tolerance to the power of 3/2
-constexpr double largest_share = 0.05;     // of the tolerance
-constexpr double largest_place_error = 1e-2;  // over the tolerance [m]
+constexpr double largest_share = 0.05;            // of the tolerance
+constexpr double largest_place_error = 1e-2;      // over the tolerance [m]
 constexpr double least_force = 1e3, least_torque = 100.0, least_speed = 0.1;  // what instruments resolve [N, N m, rad/s]
 constexpr double share_of_level = 0.1;
-constexpr double seen = 0.1;           // share of what an instrument resolves below which no error matters
-constexpr double along_may = 3.0;      // what motions along the string are allowed over the rule
+constexpr double seen = 0.1;                          // share of what an instrument resolves below which no error matters
+constexpr double along_may = 3.0;                     // what motions along the string are allowed over the rule
 constexpr double peak_along = 2.8, peak_about = 3.3;  // of a wave's front over its root mean square along the string
-constexpr double turning_speed = 5.0;  // a bit that has never been as fast does not turn [rad/s]
-constexpr double unneeded = 10.0;      // what motions are allowed whose outputs are not needed
-constexpr double most_damping = 5.0;  // over the tolerance, of a bent motor's waves [1/s]
+constexpr double turning_speed = 5.0;                 // a bit that has never been as fast does not turn [rad/s]
+constexpr double unneeded = 10.0;                     // what motions are allowed whose outputs are not needed
+constexpr double most_damping = 5.0;                  // over the tolerance, of a bent motor's waves [1/s]
 constexpr double steps_a_blade = 100.0;
 constexpr double smooth_tolerance = 0.063;  // where fronts and smooth waves are allowed the same
 constexpr double most_stretch = 10.0;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/solve/stepper.h"
 
 #include <algorithm>
@@ -12,12 +13,12 @@ namespace drill_rig_sim
 namespace
 {
 // of variable steps
-constexpr double first_step = 1e-3;      // [s]
-constexpr double largest_growth = 1.8;   // from step to step; times 1.25, BDF2 still remembers, and is stable below 1 + sqrt 2
-constexpr double least_stretch = 0.5;    // a step four times as wrong as allowed is repeated
+constexpr double first_step = 1e-3;     // [s]
+constexpr double largest_growth = 1.8;  // from step to step; times 1.25, BDF2 still remembers, and is stable below 1 + sqrt 2
+constexpr double least_stretch = 0.5;   // a step four times as wrong as allowed is repeated
 constexpr double iterations = 800.0, in_time = 0.01;  // of Newton's, and the time that they are for [s]
-constexpr double for_a_step = 4.0;       // of them are kept for each step that is left
-constexpr double shortest_rescue = 1e-6;  // where a step of shortest_step has no solution [s]
+constexpr double for_a_step = 4.0;                    // of them are kept for each step that is left
+constexpr double shortest_rescue = 1e-6;              // where a step of shortest_step has no solution [s]
 int budget_of(double duration) noexcept
 {
   return static_cast<int>(iterations * std::ceil(duration / in_time));
@@ -39,12 +40,7 @@ const Method& find_method(IntegratorKind kind) noexcept
 }
 
 Stepper::Stepper(std::shared_ptr<const Model> model, const Method& method)
-  : HalvingIntegrator(std::move(model)),
-    method_(method),
-    newton_(*model_),
-    u_(6 * model_->nodes()),
-    guess_(u_),
-    residual_(u_)
+    : HalvingIntegrator(std::move(model)), method_(method), newton_(*model_), u_(6 * model_->nodes()), guess_(u_), residual_(u_)
 {
   const NumericsSpec& numerics = model_->scene().numerics;
   limits_.tolerance = numerics.newton_tolerance;
@@ -58,7 +54,8 @@ bool Stepper::advance(State& state, double step, const Setpoints& setpoints) noe
 
 const char* Stepper::failure() const noexcept
 {
-  return control_ ? "the step did not converge, even in steps of a microsecond; reset the well or restore a state" : HalvingIntegrator::failure();
+  return control_ ? "the step did not converge, even in steps of a microsecond; reset the well or restore a state"
+                  : HalvingIntegrator::failure();
 }
 
 bool Stepper::take_one_step(State& state, double step, const Setpoints& setpoints) noexcept
@@ -93,8 +90,8 @@ StepResult Stepper::attempt_by_control(State& state, double step, const Setpoint
 }
 
 /// A step that fails is repeated shorter. The work is bounded: steps are no shorter than what is left of it allows, and when half
-/// of it is done errors are no reason to repeat any more. Where a step of shortest_step has no solution, as where friction lets a jammed bit go, steps
-/// are quartered until inertia gives one, and grow again from there.
+/// of it is done errors are no reason to repeat any more. Where a step of shortest_step has no solution, as where friction lets a
+/// jammed bit go, steps are quartered until inertia gives one, and grow again from there.
 bool Stepper::advance_by_control(State& state, double duration, const Setpoints& setpoints) noexcept
 {
   if (state.step.wanted <= 0.0) state.step.wanted = first_step;

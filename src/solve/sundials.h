@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SRC_SOLVE_SUNDIALS_H
 #define DRILL_RIG_SIM_SRC_SOLVE_SUNDIALS_H
 
@@ -51,14 +52,31 @@ inline OwnedContext new_context()
 }
 
 #if SUNDIALS_VERSION_MAJOR >= 7
-inline void silence_kinsol(void*) {}
-inline void silence_ida(void*) {}
-inline void silence_arkode(void*) {}
+inline void silence_kinsol(void*)
+{
+}
+inline void silence_ida(void*)
+{
+}
+inline void silence_arkode(void*)
+{
+}
 #else
-inline void ignore_error(int, const char*, const char*, char*, void*) {}
-inline void silence_kinsol(void* memory) { KINSetErrHandlerFn(memory, ignore_error, nullptr); }
-inline void silence_ida(void* memory) { IDASetErrHandlerFn(memory, ignore_error, nullptr); }
-inline void silence_arkode(void* memory) { ARKStepSetErrHandlerFn(memory, ignore_error, nullptr); }
+inline void ignore_error(int, const char*, const char*, char*, void*)
+{
+}
+inline void silence_kinsol(void* memory)
+{
+  KINSetErrHandlerFn(memory, ignore_error, nullptr);
+}
+inline void silence_ida(void* memory)
+{
+  IDASetErrHandlerFn(memory, ignore_error, nullptr);
+}
+inline void silence_arkode(void* memory)
+{
+  ARKStepSetErrHandlerFn(memory, ignore_error, nullptr);
+}
 #endif
 
 /// The `free` of a linear solver of ours, whose content is not its own.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/solve/vector_operations.h"
 
 #include <nvector/nvector_serial.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/solve/wave_life.h"
 
 #include <algorithm>
@@ -55,7 +56,8 @@ WaveLives WaveLife::now(const State& state) const noexcept
     damping_along += friction;
     damping_about += friction * node.lever * node.lever;
   }
-  return {1.0 / (1.0 / in_mud_.along + 0.5 * damping_along / inertia_along), 1.0 / (1.0 / in_mud_.about + 0.5 * damping_about / inertia_about)};
+  return {1.0 / (1.0 / in_mud_.along + 0.5 * damping_along / inertia_along),
+          1.0 / (1.0 / in_mud_.about + 0.5 * damping_about / inertia_about)};
 }
 
 }  // namespace drill_rig_sim

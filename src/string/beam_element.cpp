@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/string/beam_element.h"
 
 #include "drill_rig_sim/math/one_lane.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "cuts.h"
 
 #include <algorithm>
@@ -14,7 +15,8 @@ void cut_joint(const PartSpec& part, int index, int joint, double lower, double 
   for (int k = 1; k <= count; ++k)
   {
     const bool end = k == count;
-    cuts.push_back({lower + (upper - lower) * k / count, 0.5 * (end ? joint_end_diameter(part) : part.outer_diameter), index, joint, end});
+    cuts.push_back(
+        {lower + (upper - lower) * k / count, 0.5 * (end ? joint_end_diameter(part) : part.outer_diameter), index, joint, end});
   }
 }
 

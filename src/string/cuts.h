@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SRC_STRING_CUTS_H
 #define DRILL_RIG_SIM_SRC_STRING_CUTS_H
 
@@ -26,8 +27,8 @@ Cut cut_gauge(const BitSpec& bit);
 /// Radius with which a part's joint ends touch the wall, times two [m].
 double joint_end_diameter(const PartSpec& part);
 
-/// Lengths of a part's joints from the bit up [m]; `rest`: what is left for it up to the top drive, which a `fill` uses up. Empty if that is
-/// less than shortest_joint.
+/// Lengths of a part's joints from the bit up [m]; `rest`: what is left for it up to the top drive, which a `fill` uses up. Empty
+/// if that is less than shortest_joint.
 std::vector<double> joint_lengths(const PartSpec& part, double rest);
 
 /// The joints of a part of which two may be one element.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/string/geometrically_exact_beam.h"
 
 #include <cmath>
@@ -15,7 +16,7 @@ namespace
 /// Functions of alpha, half the angle between the ends. A dash is the derivative by alpha, divided by alpha.
 struct HalfAngle
 {
-  double b, h, c;        // alpha/sin alpha, (1 - b)/alpha^2, tan(alpha/2)/alpha
+  double b, h, c;  // alpha/sin alpha, (1 - b)/alpha^2, tan(alpha/2)/alpha
   double b_, h_, c_;
 };
 
@@ -49,10 +50,10 @@ struct Middle
 {
   Vector3d d, t, a, u;  // u = t x d
   HalfAngle f;
-  double excess;  // d stress / d stretch less kappa G A, over L
-  double lack;    // n = kappa G A d/L - lack t
+  double excess;            // d stress / d stretch less kappa G A, over L
+  double lack;              // n = kappa G A d/L - lack t
   double torsion, bending;  // d torque / d twist, d moment / d curvature over L
-  Vector3d n, m, q, bent;  // bent = B m
+  Vector3d n, m, q, bent;   // bent = B m
 };
 
 /// q2 on q1's side of the double cover.
@@ -167,14 +168,14 @@ void tangent_of(const BeamSection& s, const Middle& k, BeamTangent& out)
 }
 }  // namespace
 
-BeamForces geometrically_exact_forces(const BeamSection& section, const BeamPose& pose, const BeamDamping& damping, const Vector3d&,
-                                      BeamStrain& strain) noexcept
+BeamForces geometrically_exact_forces(const BeamSection& section, const BeamPose& pose, const BeamDamping& damping,
+                                      const Vector3d&, BeamStrain& strain) noexcept
 {
   return forces_of(middle_of(section, pose, damping, strain));
 }
 
-BeamForces geometrically_exact_forces(const BeamSection& section, const BeamPose& pose, const BeamDamping& damping, const Vector3d&,
-                                      BeamStrain& strain, BeamTangent& tangent) noexcept
+BeamForces geometrically_exact_forces(const BeamSection& section, const BeamPose& pose, const BeamDamping& damping,
+                                      const Vector3d&, BeamStrain& strain, BeamTangent& tangent) noexcept
 {
   const Middle k = middle_of(section, pose, damping, strain);
   tangent_of(section, k, tangent);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/string/lower_body.h"
 
 #include <algorithm>

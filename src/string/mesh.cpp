@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/string/mesh.h"
 
 #include <algorithm>
@@ -15,8 +16,9 @@ namespace
 BeamSection section_of(const PartSpec& part, double length)
 {
   const StiffnessSpec& given = part.stiffness;
-  return given.axial > 0.0 ? stiff_section(length, given.axial, given.bending, given.torsional, part.inner_diameter / part.outer_diameter)
-                           : tube_section(length, part.outer_diameter, part.inner_diameter, part.young_modulus, part.poisson_ratio);
+  return given.axial > 0.0
+             ? stiff_section(length, given.axial, given.bending, given.torsional, part.inner_diameter / part.outer_diameter)
+             : tube_section(length, part.outer_diameter, part.inner_diameter, part.young_modulus, part.poisson_ratio);
 }
 
 MeshElement make_element(const PartSpec& part, int index, double lower, double upper, double mass)
@@ -35,15 +37,16 @@ MeshElement make_element(const PartSpec& part, int index, double lower, double u
   return e;
 }
 
-/// Half of an element's inertia to each end. The share of its mass that resists tilting is that of the cubic beam's consistent mass
-/// after the diagonal scaling of Hinton, Rock and Zienkiewicz (1976): m L^2 / 78 at each end.
+/// Half of an element's inertia to each end. The share of its mass that resists tilting is that of the cubic beam's consistent
+/// mass after the diagonal scaling of Hinton, Rock and Zienkiewicz (1976): m L^2 / 78 at each end.
 void lump(const MeshElement& e, const PartSpec& part, const MudSpec& mud, MeshNode& lower, MeshNode& upper)
 {
   const double length = e.section.length;
   const double mass = e.linear_mass * length;
   const double inside = mud.added_mass * mud.density * e.bore_area * length;
   const double outside = mud.added_mass * mud.density * e.outer_area * length;
-  const double square = 0.25 * (part.outer_diameter * part.outer_diameter + part.inner_diameter * part.inner_diameter);  // ro^2 + ri^2
+  const double square =
+      0.25 * (part.outer_diameter * part.outer_diameter + part.inner_diameter * part.inner_diameter);  // ro^2 + ri^2
   const double polar = part.polar_inertia > 0.0 ? part.polar_inertia * mass / part.linear_mass : 0.5 * mass * square;
   for (MeshNode* node : {&lower, &upper})
   {
@@ -60,8 +63,8 @@ void lump(const MeshElement& e, const PartSpec& part, const MudSpec& mud, MeshNo
 [[noreturn]] void refuse_rest(const PartSpec& part, double rest)
 {
   std::ostringstream message;
-  message << "string: part '" << part.name << "' fills up to the surface, but the parts below it leave only " << rest << " m; at least "
-          << shortest_joint << " m are needed";
+  message << "string: part '" << part.name << "' fills up to the surface, but the parts below it leave only " << rest
+          << " m; at least " << shortest_joint << " m are needed";
   throw std::runtime_error(message.str());
 }
 
@@ -90,7 +93,8 @@ std::vector<Cut> cut_string(const std::vector<PartSpec>& parts, const ElementLen
     const std::vector<double> lengths = joint_lengths(part, mesh.total_length - top);
     if (lengths.empty()) refuse_rest(part, mesh.total_length - top);
     mesh.part_bottom.push_back(top);
-    cut_part(part, static_cast<int>(p), top, lengths, longest, pairs_in(part, p + 1 == parts.size(), top, lengths.size(), longest), cuts);
+    cut_part(part, static_cast<int>(p), top, lengths, longest,
+             pairs_in(part, p + 1 == parts.size(), top, lengths.size(), longest), cuts);
     for (double length : lengths) top += length;
     mesh.part_top.push_back(top);
     if (part.mwd) mesh.sensor_from_bit = mesh.part_bottom.back() + part.mwd->sensor_offset;
@@ -136,7 +140,8 @@ void add_element(const std::vector<PartSpec>& parts, const Cut& cut, const Conta
   node.from_bit = cut.from_bit;
   node.contact_radius = cut.contact_radius;
   const bool blades = part.stabilizer && !cut.joint_end && cut.contact_radius == 0.5 * part.stabilizer->blade_diameter;
-  const bool sleeve = part.motor && part.motor->sleeve_diameter > 0.0 && std::abs(cut.from_bit - part.motor->bit_to_sleeve) < 1e-9;
+  const bool sleeve =
+      part.motor && part.motor->sleeve_diameter > 0.0 && std::abs(cut.from_bit - part.motor->bit_to_sleeve) < 1e-9;
   node.contact = law_under(part, contact, blades || sleeve);
   node.friction_radius = part.friction_radius;
   node.part = cut.part;

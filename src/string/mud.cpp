@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/string/mud.h"
 
 #include <algorithm>
@@ -15,7 +16,8 @@ double confinement(double diameter, double hole_diameter) noexcept
 double fill_level(const MudSpec& mud, double bit_depth) noexcept
 {
   const std::vector<FillLevel>& rows = mud.fill;
-  const auto above = std::upper_bound(rows.begin(), rows.end(), bit_depth, [](double depth, const FillLevel& row) { return depth < row.bit_depth; });
+  const auto above = std::upper_bound(rows.begin(), rows.end(), bit_depth,
+                                      [](double depth, const FillLevel& row) { return depth < row.bit_depth; });
   if (rows.empty()) return 0.0;
   if (above == rows.begin()) return rows.front().level;
   if (above == rows.end()) return rows.back().level;

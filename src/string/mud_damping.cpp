@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/string/mud_damping.h"
 
 #include <algorithm>
@@ -57,7 +58,8 @@ void set_mud_damping(const MudSpec& mud, const std::function<double(double)>& ho
   for (std::size_t e = 0; e < mesh.elements.size(); ++e)
   {
     const MeshElement& element = mesh.elements[e];
-    const MudDamping drag = mud_damping(mud, element.outer_diameter, 2.0 * std::sqrt(element.bore_area / pi), hole_diameter(mesh.middle(e)));
+    const MudDamping drag =
+        mud_damping(mud, element.outer_diameter, 2.0 * std::sqrt(element.bore_area / pi), hole_diameter(mesh.middle(e)));
     for (Share* share : {&shares[e], &shares[e + 1]}) share->add(drag, 0.5 * element.section.length);
   }
   for (std::size_t i = 0; i < mesh.nodes.size(); ++i)

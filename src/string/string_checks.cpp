@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/string/string_checks.h"
 
 #include <algorithm>
@@ -28,11 +29,15 @@ void check_kinds(const std::vector<PartSpec>& parts, ProblemList& problems)
     if (type == PartType::mud_motor && motors == 2)
       problems.emplace_back(item_key("string", i, "type"), "a second mud motor, allowed: one");
     if (type == PartType::mud_motor && motors == 1 && i > 1)
-      problems.emplace_back(item_key("string", i, "type"), "the mud motor is not next to the bit, allowed: directly above the bit");
-    if (type == PartType::rotary_steerable && steerers == 2) problems.emplace_back(item_key("string", i, "type"), "a second rotary_steerable, allowed: one");
-    if (type == PartType::mwd && surveyors == 2) problems.emplace_back(item_key("string", i, "type"), "a second mwd, allowed: one");
+      problems.emplace_back(item_key("string", i, "type"),
+                            "the mud motor is not next to the bit, allowed: directly above the bit");
+    if (type == PartType::rotary_steerable && steerers == 2)
+      problems.emplace_back(item_key("string", i, "type"), "a second rotary_steerable, allowed: one");
+    if (type == PartType::mwd && surveyors == 2)
+      problems.emplace_back(item_key("string", i, "type"), "a second mwd, allowed: one");
     if (parts[i].joints == 0 && i + 1 < parts.size())
-      problems.emplace_back(item_key("string", i, "joints"), "`fill` is not the string's last part, allowed: on the last part only");
+      problems.emplace_back(item_key("string", i, "joints"),
+                            "`fill` is not the string's last part, allowed: on the last part only");
   }
 }
 
@@ -41,7 +46,8 @@ void check_gauge(const PartSpec& part, const std::string& key, ProblemList& prob
   const double length = part.bit->gauge_length, most = part.length - 0.5 * part.bit->diameter;
   if (length == 0.0) return;
   if (length > most * (1.0 + 1e-9))
-    problems.emplace_back(key, metres(length) + " ends above the bit (it begins half the bit's diameter above its face); allowed: " +
+    problems.emplace_back(key, metres(length) +
+                                   " ends above the bit (it begins half the bit's diameter above its face); allowed: " +
                                    (most >= least_element_length ? "up to " + metres(most) : "0, or a longer bit"));
   else if (length < least_element_length)
     problems.emplace_back(key, metres(length) + " is too short, allowed: 0, or " + metres(least_element_length) + " or more");
@@ -52,10 +58,12 @@ void check_mass(const PartSpec& part, const std::string& key, ProblemList& probl
 {
   constexpr double least = 0.9;  // pipe worn, diameters rounded
   if (part.type != PartType::pipe || part.stiffness.axial > 0.0) return;
-  const double tube = part.density * 0.25 * pi * (part.outer_diameter * part.outer_diameter - part.inner_diameter * part.inner_diameter);
+  const double tube =
+      part.density * 0.25 * pi * (part.outer_diameter * part.outer_diameter - part.inner_diameter * part.inner_diameter);
   if (part.linear_mass < least * tube)
-    problems.emplace_back(key, plain(part.linear_mass) + " kg/m is less than a tube of its diameters with density " + plain(part.density) +
-                                   " kg/m3, " + plain(tube) + " kg/m, allowed: " + plain(least * tube) + " or more, or the material's own density");
+    problems.emplace_back(key, plain(part.linear_mass) + " kg/m is less than a tube of its diameters with density " +
+                                   plain(part.density) + " kg/m3, " + plain(tube) + " kg/m, allowed: " + plain(least * tube) +
+                                   " or more, or the material's own density");
 }
 
 const char* place_key(const SteerableSpec& tool)
@@ -75,12 +83,16 @@ void check_steerable(const SteerableSpec& tool, std::size_t i, double bottom, do
 {
   const bool pushes = tool.pad_force > 0.0, points = tool.tilt > 0.0;
   if (pushes == points)
-    return void(problems.emplace_back(item_key("string", i), "both or neither of `pad_force` and `tilt_deg` are given, needed: one of them"));
-  if (pushes && tool.bit_to_pivot > 0.0) problems.emplace_back(item_key("string", i, "bit_to_pivot"), "is given, allowed with `tilt_deg`");
-  if (points && tool.bit_to_pads > 0.0) problems.emplace_back(item_key("string", i, "bit_to_pads"), "is given, allowed with `pad_force`");
+    return void(problems.emplace_back(item_key("string", i),
+                                      "both or neither of `pad_force` and `tilt_deg` are given, needed: one of them"));
+  if (pushes && tool.bit_to_pivot > 0.0)
+    problems.emplace_back(item_key("string", i, "bit_to_pivot"), "is given, allowed with `tilt_deg`");
+  if (points && tool.bit_to_pads > 0.0)
+    problems.emplace_back(item_key("string", i, "bit_to_pads"), "is given, allowed with `pad_force`");
   if (tool.place() <= bottom || tool.place() >= top)
-    problems.emplace_back(item_key("string", i, place_key(tool)),
-                          metres(tool.place()) + " is outside the tool, allowed: between " + plain(bottom) + " and " + metres(top));
+    problems.emplace_back(
+        item_key("string", i, place_key(tool)),
+        metres(tool.place()) + " is outside the tool, allowed: between " + plain(bottom) + " and " + metres(top));
 }
 
 void check_inside(const std::vector<PartSpec>& parts, ProblemList& problems)
@@ -91,18 +103,22 @@ void check_inside(const std::vector<PartSpec>& parts, ProblemList& problems)
     const PartSpec& part = parts[i];
     const double top = bottom + part.length;
     if (part.motor && (part.motor->bit_to_bend <= bottom || part.motor->bit_to_bend >= top))
-      problems.emplace_back(item_key("string", i, "bit_to_bend"), metres(part.motor->bit_to_bend) + " is outside the motor, allowed: between " +
-                                                                      plain(bottom) + " and " + metres(top));
-    if (part.motor && part.motor->sleeve_diameter > 0.0 && (part.motor->bit_to_sleeve <= bottom || part.motor->bit_to_sleeve >= top))
-      problems.emplace_back(item_key("string", i, "bit_to_sleeve"), metres(part.motor->bit_to_sleeve) + " is outside the motor, allowed: between " +
-                                                                        plain(bottom) + " and " + metres(top));
+      problems.emplace_back(
+          item_key("string", i, "bit_to_bend"),
+          metres(part.motor->bit_to_bend) + " is outside the motor, allowed: between " + plain(bottom) + " and " + metres(top));
+    if (part.motor && part.motor->sleeve_diameter > 0.0 &&
+        (part.motor->bit_to_sleeve <= bottom || part.motor->bit_to_sleeve >= top))
+      problems.emplace_back(
+          item_key("string", i, "bit_to_sleeve"),
+          metres(part.motor->bit_to_sleeve) + " is outside the motor, allowed: between " + plain(bottom) + " and " + metres(top));
     if (part.steerable) check_steerable(*part.steerable, i, bottom, top, problems);
     if (part.mwd && part.mwd->sensor_offset > part.length)
       problems.emplace_back(item_key("string", i, "sensor_offset"),
                             metres(part.mwd->sensor_offset) + " is outside the part, allowed: 0 to " + metres(part.length));
     if (part.bit && !traits_of(part.bit->torque.model).drag &&
         part.bit->torque.kinetic_friction > part.bit->torque.static_friction)
-      problems.emplace_back(item_key("string", i, "torque.kinetic"), plain(part.bit->torque.kinetic_friction) + " exceeds static, allowed: up to " +
+      problems.emplace_back(item_key("string", i, "torque.kinetic"), plain(part.bit->torque.kinetic_friction) +
+                                                                         " exceeds static, allowed: up to " +
                                                                          plain(part.bit->torque.static_friction));
     check_mass(part, item_key("string", i, "linear_mass"), problems);
     if (part.bit) check_gauge(part, item_key("string", i, "gauge_length"), problems);
@@ -119,12 +135,13 @@ void check_length(const std::vector<PartSpec>& parts, double needed, ProblemList
   if (last.joints == 0)
   {
     if (length + shortest_joint > needed)
-      problems.emplace_back("string", "the parts below `fill` are " + metres(length) + " long, allowed: up to " + metres(shortest_joint) +
-                                          " less than the " + ending);
+      problems.emplace_back("string", "the parts below `fill` are " + metres(length) + " long, allowed: up to " +
+                                          metres(shortest_joint) + " less than the " + ending);
     return;
   }
   if (length < 0.99 * needed)
-    problems.emplace_back("string", "the string is " + metres(length) + " long, needed: " + ending + "; or give the last part `joints: fill`");
+    problems.emplace_back(
+        "string", "the string is " + metres(length) + " long, needed: " + ending + "; or give the last part `joints: fill`");
   else if (length - last.joint_length > needed)
     problems.emplace_back("string", "the string is " + metres(length) + " long, needed: " + ending);
   else
@@ -158,7 +175,8 @@ void check_mesh(const std::vector<PartSpec>& parts, double length, const Element
   const std::vector<Cut> cuts = cuts_of(parts, length, longest, count);
   if (count > most_mesh_nodes)
   {
-    problems.emplace_back("numerics.element_length", metres(std::min(longest.lower, longest.upper)) + " gives about " + plain(count) + " nodes, allowed: up to " +
+    problems.emplace_back("numerics.element_length", metres(std::min(longest.lower, longest.upper)) + " gives about " +
+                                                         plain(count) + " nodes, allowed: up to " +
                                                          std::to_string(most_mesh_nodes));
     return;
   }
@@ -173,9 +191,9 @@ void check_mesh(const std::vector<PartSpec>& parts, double length, const Element
   {
     const PartSpec& part = parts[static_cast<std::size_t>(cut.part)];
     if (cut.from_bit - below < least_element_length * (1.0 - 1e-6))
-      return void(problems.emplace_back(
-          item_key("string", static_cast<std::size_t>(cut.part), key_of_places(part)),
-          "an element of this part is " + metres(cut.from_bit - below) + " long, allowed: " + metres(least_element_length) + " or more"));
+      return void(problems.emplace_back(item_key("string", static_cast<std::size_t>(cut.part), key_of_places(part)),
+                                        "an element of this part is " + metres(cut.from_bit - below) +
+                                            " long, allowed: " + metres(least_element_length) + " or more"));
     below = cut.from_bit;
   }
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The offline runner: reads scenes, computes, writes files. Needs no ROS master.
 #include <cstdio>
 #include <exception>
@@ -54,14 +55,17 @@ int play(int argc, char** argv)
   CLI::App drill("", "drill");
   set_help(drill);
   drill.require_subcommand(0, 1);
-  const drill_rig_sim::Command commands[] = {drill_rig_sim::add_run_command(drill), drill_rig_sim::add_check_command(drill),
-                                             drill_rig_sim::add_static_command(drill), drill_rig_sim::add_modes_command(drill),
-                                             drill_rig_sim::add_survey_command(drill), drill_rig_sim::add_score_command(drill), drill_rig_sim::add_plot_command(drill),
-                                             drill_rig_sim::add_replay_command(drill), drill_rig_sim::add_weights_command(drill),
-                                             drill_rig_sim::add_calibrate_command(drill), drill_rig_sim::add_verify_command(drill),
-                                             drill_rig_sim::add_reference_command(drill), drill_rig_sim::add_web_command(drill),
-                                             drill_rig_sim::add_fmu_command(drill)};
-  drill.footer("drill COMMAND --help lists a command's options. Exit status: 0 success, 1 not as asked (score, verify), 2 bad input, 3 the computation failed.");
+  const drill_rig_sim::Command commands[] = {
+      drill_rig_sim::add_run_command(drill),     drill_rig_sim::add_check_command(drill),
+      drill_rig_sim::add_static_command(drill),  drill_rig_sim::add_modes_command(drill),
+      drill_rig_sim::add_survey_command(drill),  drill_rig_sim::add_score_command(drill),
+      drill_rig_sim::add_plot_command(drill),    drill_rig_sim::add_replay_command(drill),
+      drill_rig_sim::add_weights_command(drill), drill_rig_sim::add_calibrate_command(drill),
+      drill_rig_sim::add_verify_command(drill),  drill_rig_sim::add_reference_command(drill),
+      drill_rig_sim::add_web_command(drill),     drill_rig_sim::add_fmu_command(drill)};
+  drill.footer(
+      "drill COMMAND --help lists a command's options. Exit status: 0 success, 1 not as asked (score, verify), 2 bad input, 3 "
+      "the computation failed.");
   try
   {
     drill.parse(argc, argv);

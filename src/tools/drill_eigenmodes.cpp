@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_eigenmodes.h"
 
 #include <Spectra/SymGEigsShiftSolver.h>
@@ -47,7 +48,8 @@ Basis basis_of(const NodeAxes& axes, ModeFamily family)
     for (const int part : {0, 3})
       for (const Vector3d& across : {axes.high, axes.right}) columns.emplace_back(part, across);
   Basis basis = Basis::Zero(6, static_cast<Eigen::Index>(columns.size()));
-  for (std::size_t k = 0; k < columns.size(); ++k) basis.block<3, 1>(columns[k].first, static_cast<Eigen::Index>(k)) = columns[k].second;
+  for (std::size_t k = 0; k < columns.size(); ++k)
+    basis.block<3, 1>(columns[k].first, static_cast<Eigen::Index>(k)) = columns[k].second;
   return basis;
 }
 
@@ -142,7 +144,8 @@ Solution solve_lowest(const EigenProblem& problem, int count, int width)
   constexpr int most_restarts = 1000;
   constexpr double tolerance = 1e-10;
   solver.compute(Spectra::SortRule::LargestMagn, most_restarts, tolerance, Spectra::SortRule::SmallestAlge);
-  if (solver.info() != Spectra::CompInfo::Successful) throw std::runtime_error("modes: the eigenvalues were not found, ask for fewer");
+  if (solver.info() != Spectra::CompInfo::Successful)
+    throw std::runtime_error("modes: the eigenvalues were not found, ask for fewer");
   return {solver.eigenvalues(), solver.eigenvectors()};
 }
 
@@ -154,11 +157,14 @@ Mode mode_of(const EigenProblem& problem, double eigenvalue, const VectorXd& x)
   for (std::size_t i = 0; i < problem.axes.size(); ++i)
   {
     const NodeAxes& axes = problem.axes[i];
-    const Eigen::Matrix<double, 6, 1> u = problem.basis[i] * x.segment(static_cast<Eigen::Index>(i) * problem.width, problem.width);
+    const Eigen::Matrix<double, 6, 1> u =
+        problem.basis[i] * x.segment(static_cast<Eigen::Index>(i) * problem.width, problem.width);
     const Vector3d move = u.head<3>(), turn = u.tail<3>();
     mode.shape.push_back({move.dot(axes.normal), move.dot(axes.high), move.dot(axes.right), turn.dot(axes.normal)});
-    const double axial = std::pow(move.dot(axes.normal), 2) * axes.normal.dot(problem.mass[i].topLeftCorner<3, 3>() * axes.normal);
-    const double torsional = std::pow(turn.dot(axes.normal), 2) * axes.normal.dot(problem.mass[i].bottomRightCorner<3, 3>() * axes.normal);
+    const double axial =
+        std::pow(move.dot(axes.normal), 2) * axes.normal.dot(problem.mass[i].topLeftCorner<3, 3>() * axes.normal);
+    const double torsional =
+        std::pow(turn.dot(axes.normal), 2) * axes.normal.dot(problem.mass[i].bottomRightCorner<3, 3>() * axes.normal);
     mode.axial += axial;
     mode.torsional += torsional;
     all += u.dot(problem.mass[i] * u);
@@ -205,7 +211,8 @@ int node_at(const Mesh& mesh, double from_bit)
 {
   int nearest = 1;
   for (int i = 2; i < static_cast<int>(mesh.nodes.size()); ++i)
-    if (std::abs(mesh.nodes[static_cast<std::size_t>(i)].from_bit - from_bit) < std::abs(mesh.nodes[static_cast<std::size_t>(nearest)].from_bit - from_bit))
+    if (std::abs(mesh.nodes[static_cast<std::size_t>(i)].from_bit - from_bit) <
+        std::abs(mesh.nodes[static_cast<std::size_t>(nearest)].from_bit - from_bit))
       nearest = i;
   return nearest;
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_failure.h"
 
 #include <cmath>
@@ -48,7 +49,8 @@ void report_failure(const Simulator& simulator, const std::string& summary, cons
 {
   char at[64];
   std::snprintf(at, sizeof at, "at %.3f s simulated: ", simulator.truth().time);
-  throw ComputationError(simulator.scene().file + ": " + at + simulator.failure() + "; " + keep_last_state(simulator, summary, json_name));
+  throw ComputationError(simulator.scene().file + ": " + at + simulator.failure() + "; " +
+                         keep_last_state(simulator, summary, json_name));
 }
 
 void report_standstill(const Simulator& simulator, const RunGoal& goal, const std::vector<double>& operations_began)
@@ -58,10 +60,12 @@ void report_standstill(const Simulator& simulator, const RunGoal& goal, const st
   const std::size_t i = operations_over(operations_began);
   if (i < operations.size())
   {
-    std::snprintf(text, sizeof text, ": operations[%zu], %s, has made no progress for %g s: its end cannot be reached", i, word_of(operations[i].kind), goal.patience);
+    std::snprintf(text, sizeof text, ": operations[%zu], %s, has made no progress for %g s: its end cannot be reached", i,
+                  word_of(operations[i].kind), goal.patience);
     throw ComputationError(simulator.scene().file + text);
   }
-  std::snprintf(text, sizeof text, ": the depth of --until-depth, %g m, is not reached: the hole is %.3f m deep and has not grown for %g s",
+  std::snprintf(text, sizeof text,
+                ": the depth of --until-depth, %g m, is not reached: the hole is %.3f m deep and has not grown for %g s",
                 goal.depth, simulator.truth().hole_depth, goal.patience);
   throw ComputationError(simulator.scene().file + text);
 }
@@ -69,8 +73,8 @@ void report_standstill(const Simulator& simulator, const RunGoal& goal, const st
 void report_trouble(const Simulator& simulator, const OperationStatus& operation)
 {
   char text[200];
-  std::snprintf(text, sizeof text, ": operations[%d], %s, was given up at %.3f s, and the block braked: %s", operation.number - 1, word_of(operation.kind),
-                simulator.truth().time, text_of(operation.trouble));
+  std::snprintf(text, sizeof text, ": operations[%d], %s, was given up at %.3f s, and the block braked: %s", operation.number - 1,
+                word_of(operation.kind), simulator.truth().time, text_of(operation.trouble));
   throw ComputationError(simulator.scene().file + text);
 }
 

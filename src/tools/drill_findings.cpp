@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_findings.h"
 
 #include <cstdio>
@@ -13,9 +14,10 @@ struct Shown
   Dimension dimension;
   Printed::InSI si;
 };
-const Shown shown[output_count] = {{Dimension::force, {"%.1f", "kN", 1e-3}},     {Dimension::torque, {"%.2f", "kN m", 1e-3}},
-                                   {Dimension::force, {"%.1f", "kN", 1e-3}},     {Dimension::penetration, {"%.2f", "m/h", 3600.0}},
-                                   {Dimension::rotation, {"%.1f", "rpm", 1.0 / rpm}}, {Dimension::pressure, {"%.2f", "MPa", 1e-6}}};
+const Shown shown[output_count] = {
+    {Dimension::force, {"%.1f", "kN", 1e-3}},          {Dimension::torque, {"%.2f", "kN m", 1e-3}},
+    {Dimension::force, {"%.1f", "kN", 1e-3}},          {Dimension::penetration, {"%.2f", "m/h", 3600.0}},
+    {Dimension::rotation, {"%.1f", "rpm", 1.0 / rpm}}, {Dimension::pressure, {"%.2f", "MPa", 1e-6}}};
 
 /// The first output that the verdict is for.
 std::size_t first_such(const Verification& verification)
@@ -37,8 +39,9 @@ void print_findings(const Verification& verification, const Printed& printed)
     const Output output = static_cast<Output>(i);
     const Verification::Finding found = verification.finding(output);
     const auto value = [&](double si) { return printed(si, shown[i].dimension, shown[i].si); };
-    std::printf("%-20s %14s %14s %10.2f %% %7.0f s %8.2f %%%s\n", traits_of(output).name, value(found.mean).c_str(), value(found.finest_mean).c_str(),
-                100.0 * found.worst, found.worst_until, 100.0 * found.own, verification.needed(output) ? "" : "  (not in needs)");
+    std::printf("%-20s %14s %14s %10.2f %% %7.0f s %8.2f %%%s\n", traits_of(output).name, value(found.mean).c_str(),
+                value(found.finest_mean).c_str(), 100.0 * found.worst, found.worst_until, 100.0 * found.own,
+                verification.needed(output) ? "" : "  (not in needs)");
   }
 }
 
@@ -52,15 +55,18 @@ void print_verdict(const Verification& verification, double tolerance)
       std::printf("right: over any 3 s no output in needs is off by more than %g %% of its range\n", 100.0 * tolerance);
       break;
     case Verification::Verdict::warned:
-      std::printf("wrong, and warned of: %s is off by more than %g %% from %.0f s on, a warning came at %.0f s\n", output_traits[i].name, 100.0 * tolerance,
-                  found.wrong_from, verification.warned_from());
+      std::printf("wrong, and warned of: %s is off by more than %g %% from %.0f s on, a warning came at %.0f s\n",
+                  output_traits[i].name, 100.0 * tolerance, found.wrong_from, verification.warned_from());
       break;
     case Verification::Verdict::silent:
-      std::printf("wrong without a warning: %s is off by more than %g %% from %.0f s on\n", output_traits[i].name, 100.0 * tolerance, found.wrong_from);
+      std::printf("wrong without a warning: %s is off by more than %g %% from %.0f s on\n", output_traits[i].name,
+                  100.0 * tolerance, found.wrong_from);
       break;
     case Verification::Verdict::unknown:
-      std::printf("not known: the finer runs differ too much in %s for a verdict at %g %%; its momentary values are one sample, averages over minutes may be reliable\n",
-                  output_traits[i].name, 100.0 * tolerance);
+      std::printf(
+          "not known: the finer runs differ too much in %s for a verdict at %g %%; its momentary values are one sample, averages "
+          "over minutes may be reliable\n",
+          output_traits[i].name, 100.0 * tolerance);
       break;
   }
 }
@@ -68,10 +74,15 @@ void print_verdict(const Verification& verification, double tolerance)
 nlohmann::ordered_json json_of(const Simulator& simulator, const FinerPair& pair)
 {
   const Verification& verification = pair.findings();
-  nlohmann::ordered_json out{{"scene", simulator.scene().name}, {"verdict", word_of(verification.verdict())}, {"tolerance", simulator.scene().numerics.tolerance},
-                             {"refined", {pair.times(), pair.times() * pair.times()}}, {"simulated_s", simulator.truth().time}, {"warned_from", verification.warned_from()}};
+  nlohmann::ordered_json out{{"scene", simulator.scene().name},
+                             {"verdict", word_of(verification.verdict())},
+                             {"tolerance", simulator.scene().numerics.tolerance},
+                             {"refined", {pair.times(), pair.times() * pair.times()}},
+                             {"simulated_s", simulator.truth().time},
+                             {"warned_from", verification.warned_from()}};
   for (const OutputTraits& traits : output_traits)
-    visit(verification, static_cast<Output>(&traits - output_traits.data()), [&](const char* name, const auto& value) { out["outputs"][traits.name][name] = value; });
+    visit(verification, static_cast<Output>(&traits - output_traits.data()),
+          [&](const char* name, const auto& value) { out["outputs"][traits.name][name] = value; });
   return out;
 }
 

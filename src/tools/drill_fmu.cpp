@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <filesystem>
 #include <fstream>
 #include <memory>
@@ -46,7 +47,9 @@ void copy_libraries(const fs::path& folder)
     std::error_code missing;
     const fs::path to = folder / (name == DRILL_RIG_SIM_SONAME ? name : std::string(fmi::model_identifier) + ".so");
     fs::copy_file(libraries / name, to, missing);
-    if (missing) throw UsageError((libraries / name).string() + " cannot be copied: " + missing.message() + "; build or install the package whole");
+    if (missing)
+      throw UsageError((libraries / name).string() + " cannot be copied: " + missing.message() +
+                       "; build or install the package whole");
   }
 }
 
@@ -68,19 +71,23 @@ void write_fmu(const FmuOptions& options)
   }
   const std::string resources = (top / "resources").string();
   fmi::write_resources(resources, scene, rate);
-  write(top / "modelDescription.xml", fmi::model_description("drill_rig_sim." + fs::path(options.scene).stem().string(), fmi::FmuRig(resources).inputs()));
+  write(top / "modelDescription.xml",
+        fmi::model_description("drill_rig_sim." + fs::path(options.scene).stem().string(), fmi::FmuRig(resources).inputs()));
   copy_libraries(top / "binaries/linux64");
-  if (run_python("fmu_archive", {folder.path(), options.out}) != 0) throw UsageError("--out: " + options.out + " cannot be written");
+  if (run_python("fmu_archive", {folder.path(), options.out}) != 0)
+    throw UsageError("--out: " + options.out + " cannot be written");
 }
 }  // namespace
 
 Command add_fmu_command(CLI::App& drill)
 {
-  CLI::App* words = drill.add_subcommand("fmu", "writes the rig of a scene as an FMU (FMI 2.0, co-simulation) for other simulation programs");
+  CLI::App* words =
+      drill.add_subcommand("fmu", "writes the rig of a scene as an FMU (FMI 2.0, co-simulation) for other simulation programs");
   const auto options = std::make_shared<FmuOptions>();
   add_file(*words, "SCENE", options->scene, "the scene's file");
   add_text(*words, "--out", options->out, "FILE", "the FMU to be written, FILE.fmu")->required();
-  add_number(*words, "--rate", options->rate, 0.1, 1e4, "R", "frames a second; a communication step is a whole number of frames (100) [1/s]");
+  add_number(*words, "--rate", options->rate, 0.1, 1e4, "R",
+             "frames a second; a communication step is a whole number of frames (100) [1/s]");
   add_settings(*words, options->settings);
   return {words, [options] { write_fmu(*options); }};
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SRC_TOOLS_DRILL_LIMITS_H
 #define DRILL_RIG_SIM_SRC_TOOLS_DRILL_LIMITS_H
 
@@ -8,14 +9,14 @@
 
 namespace drill_rig_sim
 {
-/// What went beyond its limits in a run, which goes on as if it had not: of each flag of the truth when it was first and last up, and the
-/// largest load.
+/// What went beyond its limits in a run, which goes on as if it had not: of each flag of the truth when it was first and last up,
+/// and the largest load.
 class Limits
 {
 public:
   struct Entry
   {
-    const char* flag;     ///< of RigState, or max_hook_load
+    const char* flag;  ///< of RigState, or max_hook_load
     const char* what;
     double since, until;  ///< simulated time [s]
     LoadShare load;       ///< share 0: the flag has no load
@@ -30,9 +31,12 @@ public:
     add(m.slack_line, {"slack_line", "the lines carry nothing", m.time, m.time, LoadShare()});
     add(m.stop_reached, {"stop_reached", "the block is at its lowest or highest place", m.time, m.time, LoadShare()});
     if (!m.top_drive_limited) top_drive_free_ = m.time;
-    add(m.time - top_drive_free_ > 1.0, {"top_drive_limited", "the top drive is at its limit of torque, speed or power", m.time, m.time, LoadShare()});
-    add(m.relief_valve_open, {"relief_valve_open", "part of the pump's flow goes back to the tanks", m.time, m.time, LoadShare()});
-    add(m.hook_load >= max_hook_load, {"max_hook_load", "the winch does not raise beyond rig.hoisting.max_hook_load", m.time, m.time, LoadShare()});
+    add(m.time - top_drive_free_ > 1.0,
+        {"top_drive_limited", "the top drive is at its limit of torque, speed or power", m.time, m.time, LoadShare()});
+    add(m.relief_valve_open,
+        {"relief_valve_open", "part of the pump's flow goes back to the tanks", m.time, m.time, LoadShare()});
+    add(m.hook_load >= max_hook_load,
+        {"max_hook_load", "the winch does not raise beyond rig.hoisting.max_hook_load", m.time, m.time, LoadShare()});
     add(m.motor_stalled, {"motor_stalled", "the mud motor is at its stall torque", m.time, m.time, LoadShare()});
   }
 
@@ -53,7 +57,8 @@ private:
     entries_.push_back(now);
   }
 
-  double top_drive_free_ = 0.0;  // when it was last within its limits: on its way to a set point it may be at them for a moment [s]
+  double top_drive_free_ =
+      0.0;  // when it was last within its limits: on its way to a set point it may be at them for a moment [s]
   std::vector<Entry> entries_;
 };
 

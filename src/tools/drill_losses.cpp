@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_losses.h"
 
 #include <cstdio>
@@ -20,8 +21,8 @@ std::string loss_text(double si, const Printed& printed)
 void print_curve(const Scene& scene)
 {
   const Rheology curve = curve_of(*scene.rheology, scene.mud.viscosity);
-  std::printf("rheology    yield stress %.3g Pa, consistency %.3g Pa s^n, index %.3g; plastic viscosity %.3g mPa s", curve.yield_stress, curve.consistency, curve.index,
-              1e3 * plastic_viscosity(curve));
+  std::printf("rheology    yield stress %.3g Pa, consistency %.3g Pa s^n, index %.3g; plastic viscosity %.3g mPa s",
+              curve.yield_stress, curve.consistency, curve.index, 1e3 * plastic_viscosity(curve));
   if (scene.rheology->eccentricity > 0.0) std::printf("; string %g off the middle of its hole", scene.rheology->eccentricity);
   std::printf("\n");
 }
@@ -34,11 +35,14 @@ void print_motor(const Scene& scene, const Printed& printed)
       std::printf(", motor 0 to %s by its torque", loss_text(mud_motor_stall_pressure(*part.motor), printed).c_str());
 }
 
-void print_density_at(const Scene& scene, const Mesh& mesh, const MudCircuit& mud, double md, const char* place, const Printed& printed)
+void print_density_at(const Scene& scene, const Mesh& mesh, const MudCircuit& mud, double md, const char* place,
+                      const Printed& printed)
 {
   const double pressure = annulus_share(mud, mesh, scene.start.bit_depth - md) * mud.losses.annulus;
-  const double density = equivalent_circulating_density(scene.mud.density, pressure, -Survey(scene.well.survey).at(md).position.z());
-  std::printf(" %s at %s%s", printed(density, Dimension::density, {"%.0f", "kg/m3"}).c_str(), printed(md, Dimension::length, {"%.0f", "m"}).c_str(), place);
+  const double density =
+      equivalent_circulating_density(scene.mud.density, pressure, -Survey(scene.well.survey).at(md).position.z());
+  std::printf(" %s at %s%s", printed(density, Dimension::density, {"%.0f", "kg/m3"}).c_str(),
+              printed(md, Dimension::length, {"%.0f", "m"}).c_str(), place);
 }
 
 void print_densities(const Scene& scene, const Mesh& mesh, const MudCircuit& mud, const Printed& printed)
@@ -62,7 +66,8 @@ void print_losses(const Scene& scene, const Mesh& mesh, const MudCircuit& mud, c
   if (!scene.rig.mud_pump.surface_lines.empty()) std::printf("surface lines %s, ", loss_text(losses.lines, printed).c_str());
   std::printf("bore %s", loss_text(losses.bore, printed).c_str());
   print_motor(scene, printed);
-  std::printf(", bit %s, annulus %s; stand pipe %s", loss_text(losses.bit, printed).c_str(), loss_text(losses.annulus, printed).c_str(),
+  std::printf(", bit %s, annulus %s; stand pipe %s", loss_text(losses.bit, printed).c_str(),
+              loss_text(losses.annulus, printed).c_str(),
               loss_text(losses.lines + losses.bore + losses.bit + losses.annulus, printed).c_str());
   std::printf(mud.circuit.law.any() ? "\n" : " by pressure_coefficient\n");
   if (scene.rheology) print_densities(scene, mesh, mud, printed);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cstdio>
 #include <memory>
@@ -122,16 +123,19 @@ void print_all(const ModesOptions& options)
   const std::vector<NamedFamily> asked = wanted(options.family);
   Scene scene = open_scene(options.scene, options.settings);
   scene.numerics.level = Level::beam3d;  // modes are of the beams
-  if (is_same_file(options.json, options.scene)) throw UsageError("--json: " + options.json + " is the scene file, needed: another file");
+  if (is_same_file(options.json, options.scene))
+    throw UsageError("--json: " + options.json + " is the scene file, needed: another file");
   File json = open_output("--json", options.json);
   try
   {
     const RigAtRest rig = build_at_rest(scene);
     const int clamp = clamp_of(options, rig.model->mesh());
     const std::vector<FamilyModes> found = find_all(rig, asked, clamp, static_cast<int>(options.count.value_or(usual_count)));
-    std::printf("clamped %.2f m above the bit's face, %.1f kN on the bit, %.2f kN m at it\n", rig.model->mesh().nodes[static_cast<std::size_t>(clamp)].from_bit,
-                1e-3 * rig.statics.forces.wob, 1e-3 * scene.start.torque_on_bit);
-    std::printf("%-10s %4s %12s %12s %8s %8s %8s\n", "family", "mode", "frequency/Hz", "critical/rpm", "axial/%", "turn/%", "side/%");
+    std::printf("clamped %.2f m above the bit's face, %.1f kN on the bit, %.2f kN m at it\n",
+                rig.model->mesh().nodes[static_cast<std::size_t>(clamp)].from_bit, 1e-3 * rig.statics.forces.wob,
+                1e-3 * scene.start.torque_on_bit);
+    std::printf("%-10s %4s %12s %12s %8s %8s %8s\n", "family", "mode", "frequency/Hz", "critical/rpm", "axial/%", "turn/%",
+                "side/%");
     for (const FamilyModes& family : found) print_modes(family);
     if (json) std::fprintf(json.get(), "%s\n", json_of(scene, rig, clamp, found).dump(2).c_str());
   }
@@ -148,10 +152,12 @@ Command add_modes_command(CLI::App& drill)
   CLI::App* words = drill.add_subcommand("modes", "natural frequencies of the string in its equilibrium, and critical speeds");
   const auto options = std::make_shared<ModesOptions>();
   add_file(*words, "SCENE", options->scene, "the scene's file");
-  add_text(*words, "--family", options->family, "F",
-           "apart (axial, torsional and lateral motions each by itself, the default), one of those three, or coupled (all together)");
+  add_text(
+      *words, "--family", options->family, "F",
+      "apart (axial, torsional and lateral motions each by itself, the default), one of those three, or coupled (all together)");
   add_number(*words, "--modes", options->count, 1, 100, "N", "how many of each family, the lowest; default: 6");
-  add_number(*words, "--assembly", options->assembly, 0.1, 20000, "M", "only the lowest M metres, clamped at the node nearest there; default: the whole string");
+  add_number(*words, "--assembly", options->assembly, 0.1, 20000, "M",
+             "only the lowest M metres, clamped at the node nearest there; default: the whole string");
   add_text(*words, "--json", options->json, "FILE", "writes frequencies and shapes");
   add_settings(*words, options->settings);
   return {words, [options] { print_all(*options); }};

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_output.h"
 
 #include <algorithm>
@@ -66,19 +67,46 @@ std::vector<Column<From>> columns_of(const std::vector<std::string>& first, doub
 /// Behind the time. The columns of version 0.2 keep their places: there are readers that count.
 const std::vector<Column<Truth>>& truth_columns()
 {
-  static const auto columns = columns_of<Truth>(
-      {"hook_load", "torque", "block_height", "top_drive_speed", "wob", "bit_torque", "bit_speed", "bit_depth", "hole_depth",
-       "rop", "inclination", "azimuth", "toolface", "bit_east", "bit_north", "bit_up", "bit_inclination", "in_slips",
-       "motor_stalled", "winch_limited", "top_drive_limited", "stop_reached", "slack_line", "relief_valve_open", "over_stress",
-       "over_torque", "buckled", "accuracy_warning", "stand_pipe_pressure", "differential_pressure", "flow", "floor_height"},
-      &SignalRow::in_truth);
+  static const auto columns = columns_of<Truth>({"hook_load",
+                                                 "torque",
+                                                 "block_height",
+                                                 "top_drive_speed",
+                                                 "wob",
+                                                 "bit_torque",
+                                                 "bit_speed",
+                                                 "bit_depth",
+                                                 "hole_depth",
+                                                 "rop",
+                                                 "inclination",
+                                                 "azimuth",
+                                                 "toolface",
+                                                 "bit_east",
+                                                 "bit_north",
+                                                 "bit_up",
+                                                 "bit_inclination",
+                                                 "in_slips",
+                                                 "motor_stalled",
+                                                 "winch_limited",
+                                                 "top_drive_limited",
+                                                 "stop_reached",
+                                                 "slack_line",
+                                                 "relief_valve_open",
+                                                 "over_stress",
+                                                 "over_torque",
+                                                 "buckled",
+                                                 "accuracy_warning",
+                                                 "stand_pipe_pressure",
+                                                 "differential_pressure",
+                                                 "flow",
+                                                 "floor_height"},
+                                                &SignalRow::in_truth);
   return columns;
 }
 
 const std::vector<Column<Readings>>& reading_columns()
 {
-  static const auto columns = columns_of<Readings>({"hook_load", "torque", "stand_pipe_pressure", "flow", "block_height", "bit_depth", "hole_depth",
-                                                    "rop", "surface_wob", "differential_pressure"},
+  static const auto columns = columns_of<Readings>({"hook_load", "torque", "stand_pipe_pressure", "flow", "block_height",
+                                                    "bit_depth", "hole_depth", "rop", "surface_wob", "differential_pressure"},
                                                    &SignalRow::in_readings);
   return columns;
 }
@@ -97,9 +125,9 @@ void write_names(std::FILE* file, const char* prefix, const std::vector<Column<F
 
 void write_profile_row(std::FILE* file, const StringProfile& p, std::size_t i)
 {
-  std::fprintf(file, "%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.6g\n", p.md[i], p.from_bit[i], p.position[i].x(), p.position[i].y(),
-               p.position[i].z(), p.tension[i], p.true_axial_force[i], p.torque[i], p.bending_moment[i], p.contact_force[i],
-               p.contact_side[i] / degree);
+  std::fprintf(file, "%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.6g\n", p.md[i], p.from_bit[i], p.position[i].x(),
+               p.position[i].y(), p.position[i].z(), p.tension[i], p.true_axial_force[i], p.torque[i], p.bending_moment[i],
+               p.contact_force[i], p.contact_side[i] / degree);
 }
 
 /// Measured errors and the companion's truth.

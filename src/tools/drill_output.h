@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SRC_TOOLS_DRILL_OUTPUT_H
 #define DRILL_RIG_SIM_SRC_TOOLS_DRILL_OUTPUT_H
 
@@ -33,13 +34,12 @@ void write_profile(std::FILE* file, const StringProfile& p);
 void write_profile_series_header(std::FILE* file);
 void write_profile_series_rows(std::FILE* file, double time, const StringProfile& p);
 
-/// The run's CSV: SI units, radians. By hand, as all tables here: their cells are numbers, so that nothing needs quoting, and each
-/// column has its own number of digits.
-/// `with_errors`: and what the companion (numerics.companion) tells: the errors measured beside it, error_hook_load and so on, as shares, and
-/// its own truth, companion_hook_load and so on.
+/// The run's CSV: SI units, radians. By hand, as all tables here: their cells are numbers, so that nothing needs quoting, and
+/// each column has its own number of digits. `with_errors`: and what the companion (numerics.companion) tells: the errors
+/// measured beside it, error_hook_load and so on, as shares, and its own truth, companion_hook_load and so on.
 void write_csv_header(std::FILE* file, bool with_readings, bool with_errors = false);
-/// `readings`, `measured` (whose errors and companion): null where the header has none. Surface WOB and differential pressure are empty until they
-/// have been zeroed, errors and companion once that no longer goes along.
+/// `readings`, `measured` (whose errors and companion): null where the header has none. Surface WOB and differential pressure are
+/// empty until they have been zeroed, errors and companion once that no longer goes along.
 void write_csv_row(std::FILE* file, const Truth& m, const Readings* readings, const Simulator* measured = nullptr);
 
 /// The corrected well, its nodes and then its bottom: md,east,north,up,inclination,azimuth,radius.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_python.h"
 
 #include <sys/wait.h>
@@ -54,8 +55,8 @@ void become_python(const std::string& module, const std::vector<std::string>& wo
   throw UsageError(std::string(DRILL_RIG_SIM_PYTHON) + " cannot be started: " + std::strerror(errno));
 }
 
-void become_python(const std::string& module, std::vector<std::string> words, std::initializer_list<std::pair<const char*, std::string>> options,
-                   const std::vector<std::string>& files)
+void become_python(const std::string& module, std::vector<std::string> words,
+                   std::initializer_list<std::pair<const char*, std::string>> options, const std::vector<std::string>& files)
 {
   for (const auto& [name, value] : options) add_word(words, name, value);
   words.emplace_back("--");  // a file's name may begin with a dash

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_recorded.h"
 
 #include <algorithm>
@@ -38,11 +39,12 @@ bool is_bag(const std::string& file)
 }
 
 RecordedPlayer::RecordedPlayer(std::string file, const RecordedRun& run, const Scene& scene)
-  : file_(std::move(file)), run_(run), program_(scene), frame_(frame_of(run, scene.numerics.step))
+    : file_(std::move(file)), run_(run), program_(scene), frame_(frame_of(run, scene.numerics.step))
 {
   const RecordedRun::Row& first = run.rows.front();
   if (first.commanded && first.time > frame_ + rounding)
-    throw UsageError(file_ + ": begins " + fixed(first.time, 2) + " s after the start of the rig, after the first command; needed: a bag recorded from the start");
+    throw UsageError(file_ + ": begins " + fixed(first.time, 2) +
+                     " s after the start of the rig, after the first command; needed: a bag recorded from the start");
 }
 
 void RecordedPlayer::command(Simulator& simulator, const Setpoints& setpoints)
@@ -52,7 +54,8 @@ void RecordedPlayer::command(Simulator& simulator, const Setpoints& setpoints)
   if (first || !(setpoints.winch == commanded_.winch)) simulator.command(setpoints.winch);
   if (first || !(setpoints.top_drive == commanded_.top_drive)) simulator.command(setpoints.top_drive);
   if (first || setpoints.pump.flow != commanded_.pump.flow) simulator.command(setpoints.pump);
-  if ((first || !(setpoints.steering == commanded_.steering)) && simulator.locked(setpoints.steering) == nullptr) simulator.command(setpoints.steering);
+  if ((first || !(setpoints.steering == commanded_.steering)) && simulator.locked(setpoints.steering) == nullptr)
+    simulator.command(setpoints.steering);
   commanded_ = setpoints;
 }
 
@@ -61,8 +64,9 @@ void RecordedPlayer::require_recorded(const Truth& truth, const RecordedRun::Row
   const auto require = [&](const char* what, double found, double recorded, Output output, const char* unit)
   {
     if (std::abs(found - recorded) <= std::max(traits_of(output).resolved, tolerance * std::abs(recorded))) return;
-    throw UsageError(file_ + ": cannot be replayed: at " + fixed(row.time, 2) + " s the " + what + " is " + fixed(1e-3 * found, 2) + " " + unit + ", recorded: " +
-                     fixed(1e-3 * recorded, 2) + "; services (faults, slips, connections, snapshots) are not in a bag, and another build may differ");
+    throw UsageError(file_ + ": cannot be replayed: at " + fixed(row.time, 2) + " s the " + what + " is " +
+                     fixed(1e-3 * found, 2) + " " + unit + ", recorded: " + fixed(1e-3 * recorded, 2) +
+                     "; services (faults, slips, connections, snapshots) are not in a bag, and another build may differ");
   };
   require("hook load", truth.hook_load, row.hook_load, Output::hook_load, "kN");
   require("torque", truth.torque, row.torque, Output::torque, "kN m");

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SRC_TOOLS_DRILL_RECORDED_H
 #define DRILL_RIG_SIM_SRC_TOOLS_DRILL_RECORDED_H
 
@@ -12,7 +13,8 @@ namespace drill_rig_sim
 /// Whether a file's name is a bag's.
 bool is_bag(const std::string& file);
 
-/// A run of a bag once more: its scene's program up to the first command, from then on the set points in force as they were recorded.
+/// A run of a bag once more: its scene's program up to the first command, from then on the set points in force as they were
+/// recorded.
 class RecordedPlayer
 {
 public:
@@ -21,7 +23,8 @@ public:
 
   /// Simulated time that is recorded [s].
   double duration() const noexcept { return run_.rows.back().time; }
-  /// Plays `duration` [s]. `after_frame` is called after each frame that was computed. Throws UsageError where what is simulated is not what was recorded.
+  /// Plays `duration` [s]. `after_frame` is called after each frame that was computed. Throws UsageError where what is simulated
+  /// is not what was recorded.
   RunEnd play(Simulator& simulator, double duration, const std::function<void(const Truth&)>& after_frame);
   /// Of the frames: those of `drill run`, or as short as the recorded ones [s].
   double frame() const noexcept { return frame_; }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <CLI/App.hpp>
 #include <cstdio>
 #include <memory>
@@ -15,7 +16,9 @@ Command add_reference_command(CLI::App& drill)
   const auto of = std::make_shared<std::string>("scene");
   std::vector<std::string> names;
   for (const TableText& table : table_texts()) names.emplace_back(table.name);
-  words->add_option("--of", *of, "scene, signals, modes (of the top drive), RigState.msg, RigTruth.msg or tables.py")->type_name("LIST")->check(CLI::IsMember(names));
+  words->add_option("--of", *of, "scene, signals, modes (of the top drive), RigState.msg, RigTruth.msg or tables.py")
+      ->type_name("LIST")
+      ->check(CLI::IsMember(names));
   return {words, [of]
           {
             for (const TableText& table : table_texts())

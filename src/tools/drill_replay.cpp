@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <memory>
 #include <string>
 
@@ -20,19 +21,25 @@ struct ReplayOptions
 void replay(const ReplayOptions& options)
 {
   become_python("replay_command", words_of(options.record),
-                {{"--start", options.start}, {"--json", options.json}, {"--csv", options.csv}, {"--plots", options.plots}, {"--units", options.units}},
+                {{"--start", options.start},
+                 {"--json", options.json},
+                 {"--csv", options.csv},
+                 {"--plots", options.plots},
+                 {"--units", options.units}},
                 {options.record.record, options.scene});
 }
 }  // namespace
 
 Command add_replay_command(CLI::App& drill)
 {
-  CLI::App* words = drill.add_subcommand("replay", "replays a rig's record on a scene and compares hook load, torque and pressure");
+  CLI::App* words =
+      drill.add_subcommand("replay", "replays a rig's record on a scene and compares hook load, torque and pressure");
   const auto options = std::make_shared<ReplayOptions>();
   add_record(*words, options->record);
   add_file(*words, "SCENE", options->scene, "the scene's file; its start is where the record begins");
   add_record_options(*words, options->record);
-  add_text(*words, "--start", options->start, "scene|record", "where bit and block begin; default: scene, or record if the scene has no start.bit_depth")
+  add_text(*words, "--start", options->start, "scene|record",
+           "where bit and block begin; default: scene, or record if the scene has no start.bit_depth")
       ->check(CLI::IsMember({"scene", "record"}));
   add_text(*words, "--json", options->json, "FILE", "writes the residuals");
   add_text(*words, "--csv", options->csv, "FILE", "writes recorded and simulated values");

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <time.h>
 
 #include <CLI/App.hpp>
@@ -53,11 +54,11 @@ double done(const Truth& m, double start_depth, const RunGoal& goal, const Opera
 struct Series
 {
   Series(const RunOptions& o, const Scene& scene)
-    : rows(o.csv, o.every.value_or(0.1), o.readings, o.errors),
-      bag(o.bag, o.every.value_or(0.1), scene, o.errors),
-      log(o.witsml, scene.name, o.every.value_or(1.0), start_date_of(o.start_date).value_or(default_start_date)),
-      profiles(o.profile, o.profile_every.value_or(1.0)),
-      choices(o.explain)
+      : rows(o.csv, o.every.value_or(0.1), o.readings, o.errors),
+        bag(o.bag, o.every.value_or(0.1), scene, o.errors),
+        log(o.witsml, scene.name, o.every.value_or(1.0), start_date_of(o.start_date).value_or(default_start_date)),
+        profiles(o.profile, o.profile_every.value_or(1.0)),
+        choices(o.explain)
   {
   }
 

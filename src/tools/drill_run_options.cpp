@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_run_options.h"
 
 #include <cstdio>
@@ -15,7 +16,7 @@ namespace
 {
 constexpr double longest_run = 30.0 * 86400.0;  // simulated [s]
 constexpr double after_program = 60.0;          // simulated [s] that a run goes on after the program's end by default
-constexpr double after_operations = 0.0;       // and after its operations
+constexpr double after_operations = 0.0;        // and after its operations
 constexpr double patience = 600.0;              // simulated [s] that a run until a depth waits for new hole after the program
 constexpr double deepest = 20000.0;             // measured depth [m]
 constexpr double largest_seed = 9e15;           // a double holds every whole number up to it
@@ -55,14 +56,20 @@ void add_output_options(CLI::App& command, RunOptions& options)
 {
   add_text(command, "--csv", options.csv, "FILE", "writes time series");
   add_text(command, "--bag", options.bag, "FILE", "writes the topics that the node publishes of measurements");
-  add_text(command, "--witsml", options.witsml, "FILE", "writes the instruments' readings as a log of WITSML 1.4.1.1, by default a row each second");
-  add_text(command, "--start-date", options.start_date, "DATE", "date of simulated time 0 in --witsml, UTC; default 2000-01-01T00:00:00Z")->check(problem_of_date);
-  add_number(command, "--every", options.every, 1e-4, 1e6, "S", "time between rows of the time series or the bag's measurements; whole frames, default 0.1");
+  add_text(command, "--witsml", options.witsml, "FILE",
+           "writes the instruments' readings as a log of WITSML 1.4.1.1, by default a row each second");
+  add_text(command, "--start-date", options.start_date, "DATE",
+           "date of simulated time 0 in --witsml, UTC; default 2000-01-01T00:00:00Z")
+      ->check(problem_of_date);
+  add_number(command, "--every", options.every, 1e-4, 1e6, "S",
+             "time between rows of the time series or the bag's measurements; whole frames, default 0.1");
   add_text(command, "--profile", options.profile, "FILE", "writes forces along the string during the run");
   add_number(command, "--profile-every", options.profile_every, 1e-4, 1e6, "S", "time between these, whole frames, default 1");
   add_text(command, "--json", options.json, "FILE", "writes a summary");
-  command.add_flag("--readings", options.readings, "adds the instruments' readings to time series and summary")->disable_flag_override();
-  command.add_flag("--errors", options.errors, "adds measured errors and the companion's truth to --csv, the latter to --bag")->disable_flag_override();
+  command.add_flag("--readings", options.readings, "adds the instruments' readings to time series and summary")
+      ->disable_flag_override();
+  command.add_flag("--errors", options.errors, "adds measured errors and the companion's truth to --csv, the latter to --bag")
+      ->disable_flag_override();
   command.add_flag("--energy", options.energy, "keeps an energy balance; the summary shows it [J]")->disable_flag_override();
   add_units(command, options.units);
   add_text(command, "--explain", options.explain, "FILE", "writes which model was used and why, a row for each change");
@@ -81,7 +88,8 @@ void add_goal_options(CLI::App& command, RunOptions& options, const std::string&
   add_file(command, "SCENE", options.scene, scene);
   add_number(command, "--duration", options.duration, 1e-3, longest_run, "S",
              "simulated seconds; default: until depth, until the operations are over, or 60 s after the program's end");
-  add_number(command, "--until-depth", options.until_depth, 0.0, deepest, "MD", "stop when the hole is this deep [m], or has not grown for 600 s after the program or in an operation");
+  add_number(command, "--until-depth", options.until_depth, 0.0, deepest, "MD",
+             "stop when the hole is this deep [m], or has not grown for 600 s after the program or in an operation");
 }
 
 void add_options(CLI::App& command, RunOptions& options)
@@ -116,8 +124,8 @@ void require_companion(const RunOptions& options, const Simulator& simulator)
 void require_files_apart(const RunOptions& options)
 {
   const std::pair<const char*, const std::string&> files[] = {
-    {"--csv", options.csv}, {"--bag", options.bag}, {"--witsml", options.witsml}, {"--profile", options.profile}, {"--json", options.json}, {"--explain", options.explain},
-    {"--path", options.path}, {"--raw-path", options.raw_path}};
+      {"--csv", options.csv},   {"--bag", options.bag},         {"--witsml", options.witsml}, {"--profile", options.profile},
+      {"--json", options.json}, {"--explain", options.explain}, {"--path", options.path},     {"--raw-path", options.raw_path}};
   for (const auto& one : files)
   {
     if (is_same_file(one.second, options.scene))
@@ -125,7 +133,8 @@ void require_files_apart(const RunOptions& options)
     for (const auto& other : files)
     {
       if (&other < &one && is_same_file(one.second, other.second))
-        throw UsageError(std::string(one.first) + ": " + one.second + " is the file of " + other.first + ", needed: another file");
+        throw UsageError(std::string(one.first) + ": " + one.second + " is the file of " + other.first +
+                         ", needed: another file");
     }
   }
 }

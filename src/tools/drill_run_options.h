@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SRC_TOOLS_DRILL_RUN_OPTIONS_H
 #define DRILL_RIG_SIM_SRC_TOOLS_DRILL_RUN_OPTIONS_H
 
@@ -30,7 +31,7 @@ struct RunOptions
   std::optional<double> every;                          ///< between rows of the time series, and measurements of the bag [s]
   std::optional<double> profile_every;                  ///< between profiles along the string [s]
   std::uint64_t seed = 0;
-  std::string start_date;  ///< of simulated time 0; empty: default_start_date
+  std::string start_date;    ///< of simulated time 0; empty: default_start_date
   std::string units = "si";  ///< of the summary that is printed
   std::string csv, bag, witsml, profile, json, explain, path, raw_path;
   bool readings = false;  ///< series and summary hold the instruments' readings beside the truth
@@ -38,7 +39,8 @@ struct RunOptions
   bool energy = false;
 };
 
-/// Adds the scene and where its run ends to the command. They are read when the command line is. `scene`: what is said of the file.
+/// Adds the scene and where its run ends to the command. They are read when the command line is. `scene`: what is said of the
+/// file.
 void add_goal_options(CLI::App& command, RunOptions& options, const std::string& scene = "the scene's file");
 
 /// Adds the seed of the sensors' noise.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SRC_TOOLS_DRILL_SCENE_H
 #define DRILL_RIG_SIM_SRC_TOOLS_DRILL_SCENE_H
 
@@ -28,7 +29,8 @@ inline Scene open_scene(const std::string& file, const std::vector<std::string>&
   return scene;
 }
 
-/// A simulator for the scene, whose companion has a thread of its own where there is a core for it; a scene that is well written but cannot be built becomes a UsageError that names its file.
+/// A simulator for the scene, whose companion has a thread of its own where there is a core for it; a scene that is well written
+/// but cannot be built becomes a UsageError that names its file.
 inline Simulator build_simulator(const Scene& scene, std::uint64_t seed)
 {
   try

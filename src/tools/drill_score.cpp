@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <memory>
 #include <string>
 
@@ -19,8 +20,10 @@ struct ScoreCommand
 
 void judge(const ScoreCommand& options)
 {
-  become_python("score_command", words_of(options.score),
-                {{"--namespace", options.name_space}, {"--json", options.json}, {"--plots", options.plots}, {"--units", options.units}}, {options.run});
+  become_python(
+      "score_command", words_of(options.score),
+      {{"--namespace", options.name_space}, {"--json", options.json}, {"--plots", options.plots}, {"--units", options.units}},
+      {options.run});
 }
 }  // namespace
 

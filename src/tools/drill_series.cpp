@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_series.h"
 
 #include <algorithm>
@@ -14,7 +15,7 @@ bool Beat::due(double time, double frame) noexcept
 }
 
 TimeSeries::TimeSeries(const std::string& name, double every, bool with_readings, bool with_errors)
-  : name_(name), file_(open_output("--csv", name)), beat_(every), with_readings_(with_readings), with_errors_(with_errors)
+    : name_(name), file_(open_output("--csv", name)), beat_(every), with_readings_(with_readings), with_errors_(with_errors)
 {
   if (file_) write_csv_header(file_.get(), with_readings_, with_errors_);
 }
@@ -48,7 +49,8 @@ void BagSeries::close()
   if (bag_) bag_->close();
 }
 
-ProfileSeries::ProfileSeries(const std::string& name, double every) : name_(name), file_(open_output("--profile", name)), beat_(every)
+ProfileSeries::ProfileSeries(const std::string& name, double every)
+    : name_(name), file_(open_output("--profile", name)), beat_(every)
 {
   if (file_) write_profile_series_header(file_.get());
 }
@@ -76,9 +78,12 @@ std::string ChoiceSeries::why(const Simulator& simulator) const
 {
   const SimulatorStatistics& s = simulator.statistics();
   if (!begun_) return std::string("level ") + s.level + (simulator.choice().empty() ? ", as given" : ": " + simulator.choice());
-  if (s.guided_nodes != guided_) return s.guided_nodes < guided_ ? "pipe was set free: its compression comes near to buckling" : "pipe is guided again: it is calm";
+  if (s.guided_nodes != guided_)
+    return s.guided_nodes < guided_ ? "pipe was set free: its compression comes near to buckling"
+                                    : "pipe is guided again: it is calm";
   if (s.accuracy.doubt != doubt_) return s.accuracy.doubt == AccuracyDoubt::none ? "no warning any more" : text_of(s.accuracy);
-  if (s.last_step > 0.0 && (s.last_step >= 2.0 * step_ || s.last_step <= 0.5 * step_)) return s.last_step > step_ ? "longer steps are accurate enough" : "shorter steps are needed";
+  if (s.last_step > 0.0 && (s.last_step >= 2.0 * step_ || s.last_step <= 0.5 * step_))
+    return s.last_step > step_ ? "longer steps are accurate enough" : "shorter steps are needed";
   return "";
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SRC_TOOLS_DRILL_SERIES_H
 #define DRILL_RIG_SIM_SRC_TOOLS_DRILL_SERIES_H
 
@@ -26,8 +27,8 @@ private:
 class BagSeries
 {
 public:
-  /// Opens the file `name`, unless that is empty. Throws UsageError with one line if it cannot be written. `every`: between measurements [s]; `scene`: the run's;
-  /// `with_companion`: as RunBag.
+  /// Opens the file `name`, unless that is empty. Throws UsageError with one line if it cannot be written. `every`: between
+  /// measurements [s]; `scene`: the run's; `with_companion`: as RunBag.
   BagSeries(const std::string& name, double every, const Scene& scene, bool with_companion);
   /// As TimeSeries. Throws std::runtime_error with one line if it cannot be written.
   void add(const Simulator& simulator, double frame);
@@ -74,8 +75,9 @@ private:
   StringProfile profile_;
 };
 
-/// The history of what was modelled in the course of a run: a row where nodes became free or guided, where steps became twice as long or half, and
-/// where a doubt of the accuracy came or went; the first says what level auto has chosen. One without a file writes nothing.
+/// The history of what was modelled in the course of a run: a row where nodes became free or guided, where steps became twice as
+/// long or half, and where a doubt of the accuracy came or went; the first says what level auto has chosen. One without a file
+/// writes nothing.
 class ChoiceSeries
 {
 public:

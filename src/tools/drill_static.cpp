@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -28,8 +29,8 @@ void print_buckled(const BuckledPipe& buckled, const Printed& printed)
 {
   if (buckled.length == 0.0) return;
   const auto metres = [&](double length) { return printed(length, Dimension::length, {"%.0f", "m"}); };
-  std::printf("buckled          %s of pipe, between %s and %s above the bit", metres(buckled.length).c_str(), metres(buckled.from_bit).c_str(),
-              metres(buckled.to).c_str());
+  std::printf("buckled          %s of pipe, between %s and %s above the bit", metres(buckled.length).c_str(),
+              metres(buckled.from_bit).c_str(), metres(buckled.to).c_str());
   if (buckled.helical > 0.0) std::printf(", %s of it into a helix", metres(buckled.helical).c_str());
   std::printf("\n");
 }
@@ -38,27 +39,37 @@ void print_pushed(const StaticReport& report, const Printed& printed)
 {
   if (report.hook_load_string >= 0.0) return;
   const auto force = [&](double load) { return printed(load, Dimension::force, {"%.1f", "kN", 1e-3}); };
-  std::printf("pushed in        the string must be pushed with %s at the top: its own weight is not enough; ", force(-report.hook_load_string).c_str());
+  std::printf("pushed in        the string must be pushed with %s at the top: its own weight is not enough; ",
+              force(-report.hook_load_string).c_str());
   const std::string block = force(report.hook_load - report.hook_load_string);
-  std::printf(report.hook_load < 0.0 ? "block and top drive weigh only %s\n" : "the weight of block and top drive, %s, is enough\n", block.c_str());
+  std::printf(
+      report.hook_load < 0.0 ? "block and top drive weigh only %s\n" : "the weight of block and top drive, %s, is enough\n",
+      block.c_str());
 }
 
 void print_report(const StaticReport& report, const Printed& printed)
 {
   const Printed::InSI newton{"%.1f", "N"}, newton_metre{"%.1f", "N m"}, metre{"%.0f", "m"};
   const auto force = [&](const char* name, double si, const char* end)
-  { std::printf("%-16s %12s %s%s", name, printed.number(si, Dimension::force, newton).c_str(), printed.unit(Dimension::force, newton), end); };
+  {
+    std::printf("%-16s %12s %s%s", name, printed.number(si, Dimension::force, newton).c_str(),
+                printed.unit(Dimension::force, newton), end);
+  };
   force("hook load", report.hook_load, "\n");
   force("of the string", report.hook_load_string, "\n");
   force("gauge at block", report.gauges.at_block, ", with the friction of the block's rail\n");
   force("at the dead line", report.gauges.at_dead_line, ", with that of the sheaves\n");
-  std::printf("torque           %12s %s\n", printed.number(report.torque, Dimension::torque, newton_metre).c_str(), printed.unit(Dimension::torque, newton_metre));
+  std::printf("torque           %12s %s\n", printed.number(report.torque, Dimension::torque, newton_metre).c_str(),
+              printed.unit(Dimension::torque, newton_metre));
   force("weight on bit", report.outcome.forces.wob, "\n");
   force("bit side force", report.bit_side_force, ", ");
   std::printf("at %.1f deg clockwise from the high side\n", report.bit_side_direction / degree);
   std::printf("bit tilt         %12.3f deg to the hole\n", report.bit_tilt / degree);
   const auto share = [&](const char* name, const char* what, const auto& load)
-  { std::printf("%-16s %12.2f of %s, %s above the bit\n", name, load.share, what, printed(load.from_bit, Dimension::length, metre).c_str()); };
+  {
+    std::printf("%-16s %12.2f of %s, %s above the bit\n", name, load.share, what,
+                printed(load.from_bit, Dimension::length, metre).c_str());
+  };
   share("yield", "its yield strength", report.loads.stress);
   share("buckling", "its critical buckling load", report.loads.buckling);
   print_buckled(report.buckled, printed);
@@ -87,7 +98,8 @@ void print_static(const StaticOptions& options)
 {
   const SlidingMotion motion = motion_of(options);
   const Scene scene = open_scene(options.scene, options.settings);
-  if (is_same_file(options.csv, options.scene)) throw UsageError("--csv: " + options.csv + " is the scene file, needed: another file");
+  if (is_same_file(options.csv, options.scene))
+    throw UsageError("--csv: " + options.csv + " is the scene file, needed: another file");
   File csv = open_output("--csv", options.csv);
   StaticReport report;
   try
@@ -115,8 +127,10 @@ Command add_static_command(CLI::App& drill)
   const auto options = std::make_shared<StaticOptions>();
   add_file(*words, "SCENE", options->scene, "the scene's file");
   add_text(*words, "--motion", options->motion, "M", "none (frictionless, the default), up, down or rotate");
-  add_number(*words, "--speed", options->speed, -20.0, 20.0, "M/S", "moves along the hole instead, + up, and turns at --rpm [m/s]");
-  add_number(*words, "--rpm", options->rpm, -1000.0, 1000.0, "N", "turns instead, + clockwise, and moves at --speed; their ratio counts [rpm]");
+  add_number(*words, "--speed", options->speed, -20.0, 20.0, "M/S",
+             "moves along the hole instead, + up, and turns at --rpm [m/s]");
+  add_number(*words, "--rpm", options->rpm, -1000.0, 1000.0, "N",
+             "turns instead, + clockwise, and moves at --speed; their ratio counts [rpm]");
   add_text(*words, "--csv", options->csv, "FILE", "writes forces along the string, in SI units");
   add_units(*words, options->units);
   add_settings(*words, options->settings);

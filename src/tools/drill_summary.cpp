@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_summary.h"
 
 #include <algorithm>
@@ -131,7 +132,8 @@ Json json_of(const EnergyAccounts& e)
 Json json_of(const Doubts& doubts)
 {
   Json list = Json::array();
-  for (const Doubts::Entry& doubt : doubts.entries()) list.push_back({{"since", doubt.since}, {"until", doubt.until}, {"text", text_of(doubt.report)}});
+  for (const Doubts::Entry& doubt : doubts.entries())
+    list.push_back({{"since", doubt.since}, {"until", doubt.until}, {"text", text_of(doubt.report)}});
   return list;
 }
 
@@ -181,9 +183,11 @@ void print_operations(const std::vector<Operation>& operations, const RunRecord&
   if (i == operations.size())
     std::printf("operations: all %zu over at %.1f s\n", i, began[i]);
   else if (record.operation.trouble != OperationTrouble::none)
-    std::printf("operations: number %zu of %zu, %s, was given up: %s\n", i + 1, operations.size(), word_of(operations[i].kind), text_of(record.operation.trouble));
+    std::printf("operations: number %zu of %zu, %s, was given up: %s\n", i + 1, operations.size(), word_of(operations[i].kind),
+                text_of(record.operation.trouble));
   else
-    std::printf("operations: number %zu of %zu, %s, was not over by the end\n", i + 1, operations.size(), word_of(operations[i].kind));
+    std::printf("operations: number %zu of %zu, %s, was not over by the end\n", i + 1, operations.size(),
+                word_of(operations[i].kind));
 }
 
 const Printed::InSI kilonewton{"%.1f", "kN", 1e-3}, kilonewton_metre{"%.2f", "kN m", 1e-3};
@@ -192,7 +196,8 @@ void print(const Limits::Entry& entry, const Printed& printed)
 {
   std::printf("limit passed, %.1f to %.1f s: %s", entry.since, entry.until, entry.what);
   if (entry.load.share > 0.0)
-    std::printf(", %.2f times that %s above the bit", entry.load.share, printed(entry.load.from_bit, Dimension::length, {"%.4g", "m"}).c_str());
+    std::printf(", %.2f times that %s above the bit", entry.load.share,
+                printed(entry.load.from_bit, Dimension::length, {"%.4g", "m"}).c_str());
   std::printf(" (%s)\n", entry.flag);
 }
 
@@ -264,7 +269,8 @@ void print_doubt_of_pressures(const Simulator& simulator)
 {
   if (simulator.truth().pump_strokes == 0) return;
   const Scene& scene = simulator.scene();
-  const std::string doubt = doubt_of_pressures(mud_circuit(scene, build_mesh(scene, scene.start.bit_depth + scene.start.block_height)));
+  const std::string doubt =
+      doubt_of_pressures(mud_circuit(scene, build_mesh(scene, scene.start.bit_depth + scene.start.block_height)));
   if (!doubt.empty()) std::printf("pressures: %s\n", doubt.c_str());
 }
 
@@ -293,13 +299,16 @@ void print_summary(const Simulator& simulator, const Elapsed& elapsed, const Run
   const Averages mean = record.drilling.last_quarter();
   if (mean.samples() == 0)
   {
-    std::printf("the bit was not on bottom; hook load %s, torque %s\n", printed(m.hook_load, Dimension::force, kilonewton).c_str(),
+    std::printf("the bit was not on bottom; hook load %s, torque %s\n",
+                printed(m.hook_load, Dimension::force, kilonewton).c_str(),
                 printed(m.torque, Dimension::torque, kilonewton_metre).c_str());
     return;
   }
-  std::printf("drilling, mean of its last quarter, %.0f to %.0f s: hook load %s, torque %s, WOB %s, ROP %s, bit %s\n", mean.first_time(), mean.last_time(),
-              printed(mean.hook_load(), Dimension::force, kilonewton).c_str(), printed(mean.torque(), Dimension::torque, kilonewton_metre).c_str(),
-              printed(mean.wob(), Dimension::force, kilonewton).c_str(), printed(mean.rop(), Dimension::penetration, {"%.2f", "m/h", 3600.0}).c_str(),
+  std::printf("drilling, mean of its last quarter, %.0f to %.0f s: hook load %s, torque %s, WOB %s, ROP %s, bit %s\n",
+              mean.first_time(), mean.last_time(), printed(mean.hook_load(), Dimension::force, kilonewton).c_str(),
+              printed(mean.torque(), Dimension::torque, kilonewton_metre).c_str(),
+              printed(mean.wob(), Dimension::force, kilonewton).c_str(),
+              printed(mean.rop(), Dimension::penetration, {"%.2f", "m/h", 3600.0}).c_str(),
               printed(mean.bit_speed(), Dimension::rotation, {"%.0f", "rpm", 1.0 / rpm}).c_str());
 }
 

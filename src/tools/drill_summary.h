@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SRC_TOOLS_DRILL_SUMMARY_H
 #define DRILL_RIG_SIM_SRC_TOOLS_DRILL_SUMMARY_H
 
@@ -36,7 +37,8 @@ struct RunRecord
 /// `readings`: it also says what the instruments show at the end.
 std::string json_summary(const Simulator& simulator, const Elapsed& elapsed, const RunRecord& record, bool readings);
 
-/// The same in two lines on standard output, and a line for each doubt and each limit that was passed. Texts of warnings stay in SI.
+/// The same in two lines on standard output, and a line for each doubt and each limit that was passed. Texts of warnings stay in
+/// SI.
 void print_summary(const Simulator& simulator, const Elapsed& elapsed, const RunRecord& record, const Printed& printed);
 
 }  // namespace drill_rig_sim

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_survey_file.h"
 
 #include "drill_command.h"
@@ -8,7 +9,8 @@ namespace drill_rig_sim
 {
 void add_survey_file_options(CLI::App& command, SurveyFileOptions& options, const std::string& whose)
 {
-  add_text(command, "--columns", options.columns, "MAP.yaml", "a map of " + whose + " columns, units and delimiter (.yaml): the keys of a scene's well.survey");
+  add_text(command, "--columns", options.columns, "MAP.yaml",
+           "a map of " + whose + " columns, units and delimiter (.yaml): the keys of a scene's well.survey");
   command.add_flag("--pass-over", options.pass_over, "skip stations without a value and those equal to the one before");
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_tables.h"
 
 #include "drill_rig_sim/instruments/signal_rows.h"
@@ -30,20 +31,24 @@ std::string line(const SignalRow& row, bool with_reading)
 
 std::string run_states()
 {
-  return line("uint8 RUNNING=0", "of run_state") + line("uint8 PAUSED=1", "time stands") + line("uint8 WAITING=2", "in lockstep: for the next step") +
-         line("uint8 FAILED=3", "the next frame could not be computed: reset_well or restore_state; sent once, with the last good stamp");
+  return line("uint8 RUNNING=0", "of run_state") + line("uint8 PAUSED=1", "time stands") +
+         line("uint8 WAITING=2", "in lockstep: for the next step") +
+         line("uint8 FAILED=3",
+              "the next frame could not be computed: reset_well or restore_state; sent once, with the last good stamp");
 }
 
 std::string gauges()
 {
   std::string text;
-  for (int k = 0; k < gauge_count; ++k) text += line("uint32 " + in_capitals(gauge_names[k]) + "=" + std::to_string(1u << k), "of lost_gauges");
+  for (int k = 0; k < gauge_count; ++k)
+    text += line("uint32 " + in_capitals(gauge_names[k]) + "=" + std::to_string(1u << k), "of lost_gauges");
   return text;
 }
 
 std::string head_of_fields()
 {
-  return line("std_msgs/Header header", "stamp: end of the frame; frame_id: the rig floor") + line("uint8 run_state", "one of the constants above") +
+  return line("std_msgs/Header header", "stamp: end of the frame; frame_id: the rig floor") +
+         line("uint8 run_state", "one of the constants above") +
          line("uint32 epoch", "grows by 1 with reset_well, load_survey and restore_state: a new run begins");
 }
 
@@ -51,12 +56,15 @@ std::string head_of_fields()
 std::string tail_of_fields()
 {
   return line("string current_operation",
-              "of the rig's crew: connecting (make_connection), by connections: auto also stopping, lifting, quieting, slacking, picking_up, "
+              "of the rig's crew: connecting (make_connection), by connections: auto also stopping, lifting, quieting, slacking, "
+              "picking_up, "
               "restarting, lowering; else of the scene's operations, by their words there; empty: none") +
          line("uint32 operation_number", "of the scene's operations, counted from 1; 0: none is under way [-]") +
          line("float64 operation_progress", "towards the nearest of its ends, 0 to 1 [-]") +
          line("time last_command", "stamp of the last accepted command; 0 = none yet") +
-         line("WinchCommand winch", "set point in force; header.stamp: when it was accepted (before a file was restored: then); 0 = none yet, or the program's") +
+         line("WinchCommand winch",
+              "set point in force; header.stamp: when it was accepted (before a file was restored: then); 0 = none yet, or the "
+              "program's") +
          line("TopDriveCommand top_drive", "set point in force; header.stamp: when it was accepted") +
          line("MudPumpCommand mud_pump", "set point in force; header.stamp: when it was accepted");
 }
@@ -72,10 +80,13 @@ std::string fields(SignalOf own)
 
 std::string rig_state_message()
 {
-  return "# A rig's signals at one instant as the driller's instruments show them, on rig_state. `drill reference --of RigState.msg` prints this.\n"
-         "# \"Reading:\" says how a reading is made; a gauge adds the errors of the scene's key instruments.surface (noise, bias, delay, ...).\n" +
+  return "# A rig's signals at one instant as the driller's instruments show them, on rig_state. `drill reference --of "
+         "RigState.msg` prints this.\n"
+         "# \"Reading:\" says how a reading is made; a gauge adds the errors of the scene's key instruments.surface (noise, "
+         "bias, delay, ...).\n" +
          run_states() + gauges() + head_of_fields() + fields(SignalOf::reading) + tail_of_fields() +
-         line("string accuracy_code", "why accuracy_warning is set: a short identifier, which stays the same in later versions; empty: it is not set") +
+         line("string accuracy_code",
+              "why accuracy_warning is set: a short identifier, which stays the same in later versions; empty: it is not set") +
          line("string accuracy_reason", "the same in one line, with the remedy") +
          line("uint32 commands_refused", "commands refused since the node began, by topics and services [-]") +
          line("string last_refusal", "why the last of them was; empty: none was");
@@ -86,19 +97,26 @@ std::string rig_truth_message()
   return "# A rig's signals at one instant as they are, on truth/rig_state: for judging a controller, not for feeding it.\n"
          "# `drill reference --of RigTruth.msg` prints this.\n" +
          run_states() + head_of_fields() + fields(SignalOf::truth) + tail_of_fields() +
-         line("SteeringCommand steering", "that the rotary steerable tool obeys, by command or downlink; header.stamp: of the last command accepted") +
-         line("bool magnetic_steering", "its toolface counts from north: the hole is nearer the vertical than 5 deg (hysteresis 4 and 6 deg)") +
-         line("string[] active_faults", "the faults under way, by their words in scenes, those of gauges as \"sensor_bias of hook_load\"");
+         line("SteeringCommand steering",
+              "that the rotary steerable tool obeys, by command or downlink; header.stamp: of the last command accepted") +
+         line("bool magnetic_steering",
+              "its toolface counts from north: the hole is nearer the vertical than 5 deg (hysteresis 4 and 6 deg)") +
+         line("string[] active_faults",
+              "the faults under way, by their words in scenes, those of gauges as \"sensor_bias of hook_load\"");
 }
 
 std::string message_of(const SignalRow& row)
 {
   switch (row.of)
   {
-    case SignalOf::both: return "`RigState`, `RigTruth`";
-    case SignalOf::truth: return "`RigTruth`";
-    case SignalOf::reading: return "`RigState`";
-    case SignalOf::bit: break;
+    case SignalOf::both:
+      return "`RigState`, `RigTruth`";
+    case SignalOf::truth:
+      return "`RigTruth`";
+    case SignalOf::reading:
+      return "`RigState`";
+    case SignalOf::bit:
+      break;
   }
   return *row.field ? "`BitTruth." + std::string(row.field) + "`" : "files";
 }
@@ -128,10 +146,14 @@ const char* word_of(SignalOf of)
 {
   switch (of)
   {
-    case SignalOf::both: return "both";
-    case SignalOf::truth: return "truth";
-    case SignalOf::reading: return "reading";
-    case SignalOf::bit: break;
+    case SignalOf::both:
+      return "both";
+    case SignalOf::truth:
+      return "truth";
+    case SignalOf::reading:
+      return "reading";
+    case SignalOf::bit:
+      break;
   }
   return "bit";
 }
@@ -140,8 +162,9 @@ std::string signals_for_python()
 {
   std::string text;
   for (const SignalRow& row : signal_rows())
-    text += "    Signal(" + quoted(row.name) + ", " + quoted(word_of(row.of)) + ", " + quoted(row.type) + ", " + quoted(row.field) + ", " +
-            quoted(row.quantity) + ", " + quoted(row.mnemonic) + ", " + std::to_string(row.item) + "),\n";
+    text += "    Signal(" + quoted(row.name) + ", " + quoted(word_of(row.of)) + ", " + quoted(row.type) + ", " +
+            quoted(row.field) + ", " + quoted(row.quantity) + ", " + quoted(row.mnemonic) + ", " + std::to_string(row.item) +
+            "),\n";
   return text;
 }
 
@@ -156,7 +179,9 @@ std::string words_for_python(const char* name, const Rows& rows, const Word& wor
 
 std::string python_tables()
 {
-  return "\"\"\"The lists of signals, top-drive modes, gauges and faults of include/drill_rig_sim, as `drill reference --of tables.py` prints them.\"\"\"\n"
+  return "# SPDX-License-Identifier: BSD-3-Clause\n"
+         "\"\"\"The lists of signals, top-drive modes, gauges and faults of include/drill_rig_sim, as `drill reference --of "
+         "tables.py` prints them.\"\"\"\n"
          "import typing\n\n\n"
          "class Signal(typing.NamedTuple):\n"
          "    name: str      # of the column of drill run --csv\n"
@@ -176,8 +201,8 @@ std::string python_tables()
 
 const std::vector<TableText>& table_texts()
 {
-  static const std::vector<TableText> texts = {{"scene", scene_reference},           {"signals", signals_for_readers},
-                                               {"modes", modes_for_readers},         {"RigState.msg", rig_state_message},
+  static const std::vector<TableText> texts = {{"scene", scene_reference},          {"signals", signals_for_readers},
+                                               {"modes", modes_for_readers},        {"RigState.msg", rig_state_message},
                                                {"RigTruth.msg", rig_truth_message}, {"tables.py", python_tables}};
   return texts;
 }

@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SRC_TOOLS_DRILL_TABLES_H
 #define DRILL_RIG_SIM_SRC_TOOLS_DRILL_TABLES_H
 
 #include <string>
 #include <vector>
 
-/// The lists of signals (scene/signal_list.h), modes (rig/top_drive_mode_list.h) and faults (scene/fault_list.h) as texts that other
-/// languages and readers need.
+/// The lists of signals (scene/signal_list.h), modes (rig/top_drive_mode_list.h) and faults (scene/fault_list.h) as texts that
+/// other languages and readers need.
 namespace drill_rig_sim
 {
 struct TableText

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_temporary_folder.h"
 
 #include <cerrno>
@@ -12,7 +13,8 @@ namespace drill_rig_sim
 {
 TemporaryFolder::TemporaryFolder(const char* option) : path_((std::filesystem::temp_directory_path() / "drill_XXXXXX").string())
 {
-  if (mkdtemp(path_.data()) == nullptr) throw UsageError(std::string(option) + ": " + path_ + " cannot be made: " + std::strerror(errno));
+  if (mkdtemp(path_.data()) == nullptr)
+    throw UsageError(std::string(option) + ": " + path_ + " cannot be made: " + std::strerror(errno));
 }
 
 TemporaryFolder::~TemporaryFolder()

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_units.h"
 
 #include <cstdio>
@@ -6,8 +7,10 @@ namespace drill_rig_sim
 {
 CLI::Option* add_units(CLI::App& command, std::string& units)
 {
-  const auto known = [](const std::string& text) -> std::string { return text == "si" || text == "oilfield" ? "" : "'" + text + "' is not known, allowed: si or oilfield"; };
-  return command.add_option("--units", units, "si (the default) or oilfield, of what is printed and drawn; JSON and CSV files stay in SI")
+  const auto known = [](const std::string& text) -> std::string
+  { return text == "si" || text == "oilfield" ? "" : "'" + text + "' is not known, allowed: si or oilfield"; };
+  return command
+      .add_option("--units", units, "si (the default) or oilfield, of what is printed and drawn; JSON and CSV files stay in SI")
       ->type_name("SYSTEM")
       ->take_last()
       ->check(known);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SRC_TOOLS_DRILL_UNITS_H
 #define DRILL_RIG_SIM_SRC_TOOLS_DRILL_UNITS_H
 
@@ -11,7 +12,8 @@ namespace drill_rig_sim
 /// `--units si|oilfield`, of commands that print for people; JSON and CSV files stay in SI.
 CLI::Option* add_units(CLI::App& command, std::string& units);
 
-/// SI numbers as a command prints them: by its own format in SI, with the unit and decimals of math/shown_units.h in oilfield units.
+/// SI numbers as a command prints them: by its own format in SI, with the unit and decimals of math/shown_units.h in oilfield
+/// units.
 class Printed
 {
 public:
@@ -27,9 +29,15 @@ public:
   };
 
   std::string number(double si, Dimension dimension, const InSI& in_si) const;
-  const char* unit(Dimension dimension, const InSI& in_si) const { return system_ == UnitSystem::si ? in_si.unit : unit_of(dimension, system_).name; }
+  const char* unit(Dimension dimension, const InSI& in_si) const
+  {
+    return system_ == UnitSystem::si ? in_si.unit : unit_of(dimension, system_).name;
+  }
   /// Number and unit.
-  std::string operator()(double si, Dimension dimension, const InSI& in_si) const { return number(si, dimension, in_si) + " " + unit(dimension, in_si); }
+  std::string operator()(double si, Dimension dimension, const InSI& in_si) const
+  {
+    return number(si, dimension, in_si) + " " + unit(dimension, in_si);
+  }
 
 private:
   UnitSystem system_;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SRC_TOOLS_DRILL_VERIFIED_SCORES_H
 #define DRILL_RIG_SIM_SRC_TOOLS_DRILL_VERIFIED_SCORES_H
 
@@ -12,7 +13,8 @@
 
 namespace drill_rig_sim
 {
-/// Time series of a run and of the two finer models beside it, in a folder of their own that goes with them, and what `drill score` makes of each.
+/// Time series of a run and of the two finer models beside it, in a folder of their own that goes with them, and what `drill
+/// score` makes of each.
 class VerifiedScores
 {
 public:
@@ -21,7 +23,8 @@ public:
 
   /// Call after each frame of `frame` [s].
   void add(const Simulator& simulator, const FinerPair& pair, double frame);
-  /// Prints the scores of the three and how far the run's are off; the same as JSON. Throws ComputationError where they could not be written or judged.
+  /// Prints the scores of the three and how far the run's are off; the same as JSON. Throws ComputationError where they could not
+  /// be written or judged.
   std::string compare(const ScoreOptions& options, const std::string& units);
 
 private:

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <CLI/App.hpp>
 #include <algorithm>
 #include <cstdio>
@@ -87,7 +88,8 @@ Played open_played(const VerifyOptions& options)
 {
   if (!is_bag(options.run.scene))
   {
-    if (!options.scene.empty() || !options.name_space.empty()) throw UsageError("--scene, --namespace: allowed only with a bag (.bag)");
+    if (!options.scene.empty() || !options.name_space.empty())
+      throw UsageError("--scene, --namespace: allowed only with a bag (.bag)");
     return {open_scene(options.run.scene, settings_of(options.run)), std::nullopt};
   }
   if (options.run.until_depth) throw UsageError("--until-depth: not allowed with a bag, allowed: --duration");
@@ -113,13 +115,14 @@ RunEnd play_bag(Simulator& simulator, const VerifyOptions& options, const Record
 /// Without --score none of its options has a meaning.
 void require_score(const VerifyOptions& options)
 {
-  if (!words_of(options.judged_by).empty() && !options.score) throw UsageError("--plan, --bit-diameter, --wob, --toolface: need --score");
+  if (!words_of(options.judged_by).empty() && !options.score)
+    throw UsageError("--plan, --bit-diameter, --wob, --toolface: need --score");
 }
 
 void print(const Simulator& simulator, const VerifyOptions& options, const FinerPair& pair)
 {
-  std::printf("%s: %.1f s beside free nodes with elements and steps %g and %g times as short\n", simulator.scene().name.c_str(), simulator.truth().time, pair.times(),
-              pair.times() * pair.times());
+  std::printf("%s: %.1f s beside free nodes with elements and steps %g and %g times as short\n", simulator.scene().name.c_str(),
+              simulator.truth().time, pair.times(), pair.times() * pair.times());
   print_findings(pair.findings(), Printed(options.units));
   print_verdict(pair.findings(), simulator.scene().numerics.tolerance);
 }
@@ -132,8 +135,11 @@ void verify(const VerifyOptions& options)
   File json = open_output("--json", options.run.json);
   Simulator simulator = build_simulator(played.scene, options.run.seed);
   Beside beside(simulator, options);
-  const RunEnd end = played.recorded ? play_bag(simulator, options, *played.recorded, beside) : play_scene(simulator, goal, beside);
-  if (end == RunEnd::failure) throw ComputationError(options.run.scene + ": after " + std::to_string(simulator.truth().time) + " s: " + simulator.failure());
+  const RunEnd end =
+      played.recorded ? play_bag(simulator, options, *played.recorded, beside) : play_scene(simulator, goal, beside);
+  if (end == RunEnd::failure)
+    throw ComputationError(options.run.scene + ": after " + std::to_string(simulator.truth().time) +
+                           " s: " + simulator.failure());
   print(simulator, options, beside.pair);
   nlohmann::ordered_json found = json_of(simulator, beside.pair);
   if (beside.scores) found["scores"] = nlohmann::ordered_json::parse(beside.scores->compare(options.judged_by, options.units));
@@ -145,15 +151,20 @@ void verify(const VerifyOptions& options)
 
 Command add_verify_command(CLI::App& drill)
 {
-  CLI::App* words = drill.add_subcommand("verify", "compares a scene's run, or a bag's, with two finer models and reports its error; exit status 1: wrong without a warning");
+  CLI::App* words = drill.add_subcommand(
+      "verify",
+      "compares a scene's run, or a bag's, with two finer models and reports its error; exit status 1: wrong without a warning");
   const auto options = std::make_shared<VerifyOptions>();
-  add_goal_options(*words, options->run, "the scene's file; or a bag (.bag) of drill run, or recorded of a node from its start on");
+  add_goal_options(*words, options->run,
+                   "the scene's file; or a bag (.bag) of drill run, or recorded of a node from its start on");
   add_settings(*words, options->run.settings);
   add_seed(*words, options->run);
-  add_number(*words, "--times", options->times, least_refinement, most_refinement, "N", "refinement of elements and steps of the finer model, squared for the finest; default 2");
+  add_number(*words, "--times", options->times, least_refinement, most_refinement, "N",
+             "refinement of elements and steps of the finer model, squared for the finest; default 2");
   add_text(*words, "--scene", options->scene, "FILE", "the scene of a bag that does not contain it");
   add_text(*words, "--namespace", options->name_space, "NS", "namespace of the rig, where a bag has several");
-  words->add_flag("--score", options->score, "compares the scores of drill score for the three runs, by its options:")->disable_flag_override();
+  words->add_flag("--score", options->score, "compares the scores of drill score for the three runs, by its options:")
+      ->disable_flag_override();
   add_score_options(*words, options->judged_by);
   add_text(*words, "--json", options->run.json, "FILE", "writes the findings");
   add_units(*words, options->units);

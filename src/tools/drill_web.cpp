@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <memory>
 #include <optional>
 #include <string>
@@ -35,7 +36,8 @@ Command add_web_command(CLI::App& drill)
 {
   CLI::App* words = drill.add_subcommand("web", "shows a rig in the browser of this machine: a running node, or a bag");
   const auto options = std::make_shared<WebOptions>();
-  add_file(*words, "BAG", options->run, "of drill run --bag, or recorded of a node; without it the node that runs is shown")->required(false);
+  add_file(*words, "BAG", options->run, "of drill run --bag, or recorded of a node; without it the node that runs is shown")
+      ->required(false);
   add_text(*words, "--namespace", options->name_space, "NS", "of the rig; default: rig, in a bag the only one");
   add_number(*words, "--port", options->port, 0.0, 65535.0, "PORT", "at 127.0.0.1; default: any free port");
   words->add_flag("--control", options->control, "lets pages command the rig; without it they are read-only");

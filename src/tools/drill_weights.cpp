@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <memory>
 #include <string>
 #include <vector>
@@ -23,13 +24,15 @@ void weights(const WeightsOptions& options)
 {
   std::vector<std::string> words = words_of(options.record);
   if (options.no_flow) words.emplace_back("--no-flow");
-  become_python("weights_command", words, {{"--csv", options.csv}, {"--json", options.json}, {"--units", options.units}}, {options.record.record});
+  become_python("weights_command", words, {{"--csv", options.csv}, {"--json", options.json}, {"--units", options.units}},
+                {options.record.record});
 }
 }  // namespace
 
 Command add_weights_command(CLI::App& drill)
 {
-  CLI::App* words = drill.add_subcommand("weights", "finds steady pick-up, slack-off and rotating weights and the empty block in a rig's record");
+  CLI::App* words = drill.add_subcommand(
+      "weights", "finds steady pick-up, slack-off and rotating weights and the empty block in a rig's record");
   const auto options = std::make_shared<WeightsOptions>();
   add_record(*words, options->record);
   add_record_options(*words, options->record);

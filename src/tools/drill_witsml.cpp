@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_witsml.h"
 
 #include <algorithm>
@@ -26,13 +27,20 @@ WrittenUnit written_unit(Dimension dimension)
 {
   switch (dimension)
   {
-    case Dimension::force: return {"kN", 1e-3};
-    case Dimension::torque: return {"kN.m", 1e-3};
-    case Dimension::rotation: return {"rpm", 1.0 / rpm};
-    case Dimension::penetration: return {"m/h", 3600.0};
-    case Dimension::flow: return {"L/min", 6e4};
-    case Dimension::pressure: return {"kPa", 1e-3};
-    default: return {si_name(dimension), 1.0};
+    case Dimension::force:
+      return {"kN", 1e-3};
+    case Dimension::torque:
+      return {"kN.m", 1e-3};
+    case Dimension::rotation:
+      return {"rpm", 1.0 / rpm};
+    case Dimension::penetration:
+      return {"m/h", 3600.0};
+    case Dimension::flow:
+      return {"L/min", 6e4};
+    case Dimension::pressure:
+      return {"kPa", 1e-3};
+    default:
+      return {si_name(dimension), 1.0};
   }
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SRC_TOOLS_DRILL_WITSML_H
 #define DRILL_RIG_SIM_SRC_TOOLS_DRILL_WITSML_H
 
@@ -10,13 +11,14 @@
 
 namespace drill_rig_sim
 {
-/// What the gauges show in the course of a run, as a log of WITSML 1.4.1.1 (Energistics, obj_log.xsd) by date and time. Curves by the names and units that the field uses: BITDEP and DMEA [m], BLOCKCOMP [m],
-/// HKLD and WOB [kN], TORQUE [kN.m], SURF_RPM [rpm], ROP [m/h], FLOWIN [L/min], SPP [kPa], DIFP [kPa].
+/// What the gauges show in the course of a run, as a log of WITSML 1.4.1.1 (Energistics, obj_log.xsd) by date and time. Curves by
+/// the names and units that the field uses: BITDEP and DMEA [m], BLOCKCOMP [m], HKLD and WOB [kN], TORQUE [kN.m], SURF_RPM [rpm],
+/// ROP [m/h], FLOWIN [L/min], SPP [kPa], DIFP [kPa].
 class WitsmlSeries
 {
 public:
-  /// Opens the file, none where the name is empty. `well`: the scene's name: letters, digits and _. `every`: between rows [s]. Throws UsageError with
-  /// one line if it cannot be written. `start`: the date of simulated time 0, since 1970 [s].
+  /// Opens the file, none where the name is empty. `well`: the scene's name: letters, digits and _. `every`: between rows [s].
+  /// Throws UsageError with one line if it cannot be written. `start`: the date of simulated time 0, since 1970 [s].
   WitsmlSeries(const std::string& name, const std::string& well, double every, std::time_t start);
   /// Adds a row where one is due; `frame`: since the last call [s].
   void add(const Simulator& simulator, double frame);

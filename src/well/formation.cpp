@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/well/formation.h"
 
 #include <algorithm>
@@ -112,8 +113,9 @@ Eigen::Vector3d rock_breaking_velocity(const FormationLayer& layer, const Eigen:
   return v;
 }
 
-Eigen::Vector3d rock_breaking_direction(const FormationLayer& layer, const Eigen::Vector3d& force, const Eigen::Vector3d& bit_axis,
-                                        double side_cutting, const Eigen::Vector3d& down) noexcept
+Eigen::Vector3d rock_breaking_direction(const FormationLayer& layer, const Eigen::Vector3d& force,
+                                        const Eigen::Vector3d& bit_axis, double side_cutting,
+                                        const Eigen::Vector3d& down) noexcept
 {
   const Eigen::Vector3d cut = cutting_direction(layer, bit_axis, side_cutting, force);
   const double ahead = cut.dot(down), axial = force.dot(bit_axis);

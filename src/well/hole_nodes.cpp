@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/well/hole_nodes.h"
 
 #include <algorithm>
@@ -81,7 +82,8 @@ std::vector<WellNode> place_nodes(const WellSpec& spec, const Survey& survey, do
       const double length = anchors[i].md - from;
       const double curvature = survey.curvature(survey.arc_at(0.5 * (from + anchors[i].md)));
       const double pieces = std::ceil(std::pow(std::pow(curvature, 3) * std::pow(length, 4) / (384.0 * hermite_tolerance), 0.25));
-      for (int k = 1; k < pieces; ++k) nodes.push_back(node_at(survey.at(from + length * k / pieces), radius, section.friction, anchors[i].section));
+      for (int k = 1; k < pieces; ++k)
+        nodes.push_back(node_at(survey.at(from + length * k / pieces), radius, section.friction, anchors[i].section));
     }
     nodes.push_back(node_at(survey.at(anchors[i].md), radius, section.friction, anchors[i].section));
   }

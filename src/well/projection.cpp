@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/well/projection.h"
 
 #include <cmath>
@@ -65,8 +66,9 @@ std::string project_survey(WellSpec& well)
     survey.back() = bottom;
   else
     survey.push_back(bottom);
-  return "the survey was projected " + two_digits(length) + " m from its last station, " + metres(last) + ", to the bottom, " + how + ": " +
-         two_digits(bottom.inclination / degree) + " deg inclination, " + two_digits(bottom.azimuth / degree) + " deg azimuth";
+  return "the survey was projected " + two_digits(length) + " m from its last station, " + metres(last) + ", to the bottom, " +
+         how + ": " + two_digits(bottom.inclination / degree) + " deg inclination, " + two_digits(bottom.azimuth / degree) +
+         " deg azimuth";
 }
 
 }  // namespace drill_rig_sim

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/well/survey.h"
 
 #include <algorithm>
@@ -22,7 +23,8 @@ void check(const std::vector<SurveyStation>& stations, const std::optional<TieIn
 Survey::Survey(const std::vector<SurveyStation>& stations, const std::optional<TieIn>& tie_in)
 {
   check(stations, tie_in);
-  points_.push_back({stations[0].md, tie_in ? tie_in->position() : Eigen::Vector3d::Zero(), tangent_from(stations[0].inclination, stations[0].azimuth)});
+  points_.push_back({stations[0].md, tie_in ? tie_in->position() : Eigen::Vector3d::Zero(),
+                     tangent_from(stations[0].inclination, stations[0].azimuth)});
   for (std::size_t i = 1; i < stations.size(); ++i)
   {
     const PathPoint from = points_.back();

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/well/tie_in.h"
 
 #include <algorithm>
@@ -17,10 +18,10 @@ using Eigen::Vector3d;
 // the header's polygon with rounded corners
 struct Hole
 {
-  double straight;   // x
-  double middle;     // l
-  double rounding;   // p
-  Vector3d between;  // direction of the middle side
+  double straight;               // x
+  double middle;                 // l
+  double rounding;               // p
+  Vector3d between;              // direction of the middle side
   double first_arc, second_arc;  // lengths, p f(a) and p f(b)
   double turn;                   // the sharper one [1/m]
 
@@ -105,16 +106,19 @@ std::string tie_survey_in(const TieIn& tie_in, std::vector<SurveyStation>& surve
 {
   const SurveyStation& first = survey.front();
   if (first.md == 0.0) return "the first station is at 0, the rotary table; allowed: only with a first station below it";
-  if (first.md < least_station_spacing) return "the first md is " + metres(first.md) + ", allowed: " + metres(least_station_spacing) + " or more";
+  if (first.md < least_station_spacing)
+    return "the first md is " + metres(first.md) + ", allowed: " + metres(least_station_spacing) + " or more";
   if (!(tie_in.tvd > 0.0)) return "tvd " + metres(tie_in.tvd) + " is not below the rotary table, allowed: above 0";
   const Vector3d end = tie_in.position();
   const double tolerance = std::max(tie_in_share * first.md, tie_in_rounding);
   if (!(end.norm() <= first.md + tolerance))
-    return "the first station is " + metres(end.norm()) + " from the rotary table, allowed: up to its measured depth, " + metres(first.md);
+    return "the first station is " + metres(end.norm()) + " from the rotary table, allowed: up to its measured depth, " +
+           metres(first.md);
   const Vector3d direction = tangent_from(first.inclination, first.azimuth);
   const Hole hole = find_hole(end, direction, first.md);
   if (!is_smooth(hole) || std::abs(hole.length() - first.md) > tolerance)
-    return "no hole of " + metres(first.md) + " connects the rotary table (vertical) with the first station at a dogleg severity of up to " +
+    return "no hole of " + metres(first.md) +
+           " connects the rotary table (vertical) with the first station at a dogleg severity of up to " +
            plain(sharpest_tie_in) + " deg/30 m";
   const std::vector<SurveyStation> above = stations_of(hole, direction, first.md);
   survey.insert(survey.begin(), above.begin(), above.end());

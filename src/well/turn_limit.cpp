@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/well/turn_limit.h"
 
 #include <algorithm>
@@ -17,7 +18,8 @@ Vector3d direction_above(const Wellbore& well, double length) noexcept
   return well.at(well.hole_depth() - length).tangent;
 }
 
-/// Half angle of the cone about `from` that the hole's end may not leave. `before`: the hole's direction where its newly drilled interval begins.
+/// Half angle of the cone about `from` that the hole's end may not leave. `before`: the hole's direction where its newly drilled
+/// interval begins.
 double opening(const TurnLimit& limit, const Vector3d& from, const Vector3d& before) noexcept
 {
   constexpr double play = 1.1;  // a step's overshoot is no sharper survey
@@ -25,9 +27,10 @@ double opening(const TurnLimit& limit, const Vector3d& from, const Vector3d& bef
   return turned > play * limit.angle() ? std::min(turned, widest) : limit.angle();
 }
 
-/// The part of `way` that leads further out of such a cone, once the hole's end `now` has left it: the newly drilled interval's direction is a mean with
-/// `before` and stays where the bottom goes on along that.
-Vector3d outward_part(const Vector3d& from, double half_angle, const Vector3d& before, const Vector3d& now, const Vector3d& way) noexcept
+/// The part of `way` that leads further out of such a cone, once the hole's end `now` has left it: the newly drilled interval's
+/// direction is a mean with `before` and stays where the bottom goes on along that.
+Vector3d outward_part(const Vector3d& from, double half_angle, const Vector3d& before, const Vector3d& now,
+                      const Vector3d& way) noexcept
 {
   const double slope = std::tan(half_angle), ahead = from.dot(now);
   const Vector3d aside = now - ahead * from;
@@ -42,7 +45,8 @@ Vector3d outward_part(const Vector3d& from, double half_angle, const Vector3d& b
 Vector3d limited_way(const Wellbore& well, const TurnLimit& limit, const Vector3d& way) noexcept
 {
   if (limit.angle() >= widest) return way;
-  const Vector3d now = well.end_direction(), above = direction_above(well, limit.length), before = well.node(well.node_count() - 1).tangent;
+  const Vector3d now = well.end_direction(), above = direction_above(well, limit.length),
+                 before = well.node(well.node_count() - 1).tangent;
   Vector3d allowed = way;
   for (const Vector3d& from : {above, before}) allowed -= outward_part(from, opening(limit, from, before), before, now, allowed);
   return allowed;

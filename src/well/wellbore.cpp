@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/well/wellbore.h"
 
 #include <algorithm>
@@ -12,8 +13,8 @@ namespace drill_rig_sim
 namespace
 {
 constexpr std::size_t raw_capacity = 16384;
-constexpr double raw_spacing = 5e-4;             // [m]
-constexpr double first_interval_by_steps = 0.1;  // L2 until the first Stage II when steps are counted [m]
+constexpr double raw_spacing = 5e-4;                       // [m]
+constexpr double first_interval_by_steps = 0.1;            // L2 until the first Stage II when steps are counted [m]
 constexpr double shortest_chord = least_stage_two_length;  // Stage II waits for it
 
 std::size_t checked_capacity(int capacity)
@@ -24,8 +25,8 @@ std::size_t checked_capacity(int capacity)
 }
 }  // namespace
 
-Wellbore::Wellbore(const WellSpec& spec, const TrajectorySpec& trajectory, double bit_radius, const std::vector<FormationLayer>& rock,
-                   int drilled_capacity)
+Wellbore::Wellbore(const WellSpec& spec, const TrajectorySpec& trajectory, double bit_radius,
+                   const std::vector<FormationLayer>& rock, int drilled_capacity)
     : original_(build(spec, trajectory, bit_radius, rock)), drilled_(checked_capacity(drilled_capacity)), raw_(raw_capacity)
 {
   last_ = original_->nodes.back();

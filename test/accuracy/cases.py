@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The published and closed-form cases: runs their program, one group a process, and writes their table."""
 import concurrent.futures
 import csv

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The examples that are shipped: scenes of config/scenes with a program, and the controllers of launch/*.launch. For which share of their time does a warning stand, and why?
 
 --companion coarser plays them with `level: auto` beside a companion with elements and steps twice as long, and reports how long that one would have done: the share

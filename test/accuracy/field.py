@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The field case: pick-up, slack-off and rotating weights of a well at 26 depths (../shared/data/field_torque_and_drag).
 
 Three numbers are calibrated on the upper half of the depths by least squares: the tare (all that hangs above the rotary table), the friction

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The pictures of the main job; the paper's figures stand beside ours where it states one."""
 import os
 

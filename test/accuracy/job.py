@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """What a run of the main job shows: its data, its checks against sums by hand, and the shape of the drilled path."""
 import csv
 import json

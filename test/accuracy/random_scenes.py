@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Scenes drawn at random: wells, strings, muds and operations in the ranges of the trade. The same seed draws the same scenes; no list of them is kept, so
 that nothing can be tuned to it.
 

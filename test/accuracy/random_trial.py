@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Scenes drawn at random (random_scenes.py), each played beside two finer models of it by `drill verify`: is it right, and does it warn?
 
 - right: no three seconds of an output that is needed are further off than the tolerance; also: how many of these stand under a warning

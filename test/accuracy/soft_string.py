@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Torque and drag of a soft string: no bending stiffness, no clearance. Knows nothing of the simulator.
 
 Johancsik, Friesen and Dawson 1984, as vectors: the side force on a piece of length h is what weight w h and tension T leave across the hole,

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The assembly's rotary tendency: short runs of the main job's scene with one thing changed."""
 import os
 import subprocess

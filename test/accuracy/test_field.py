@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """The field case's soft string against closed forms, its calibration on made-up weights, and the runner beside the soft string at three of
 the field's depths. Usage: test_field.py PATH_TO_DRILL"""
 import math

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """How a foreign scene is judged: right, warned in time, silent, undecided."""
 import csv
 import json

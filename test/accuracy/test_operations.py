@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """What the operations matrix measures and how it judges, on series made by hand."""
 import math
 import os

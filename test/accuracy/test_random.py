@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Scenes drawn at random: by their seed alone, such as the runner takes; and how their trials are counted. How the shipped examples are found and counted."""
 import os
 import subprocess

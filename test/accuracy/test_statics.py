@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Statics of the operations matrix and of two long wells: in each motion the string has an equilibrium, with its weight on bit, or is said to
 buckle. A handful by default; --all: every distinct well, string, weight and motion of the matrix, as a table with processor time.
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """What the cases say of each subject that test/accuracy/README.md says how far to trust: the largest difference among the subject's cases."""
 import re
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Level auto beside the points by hand: what it keeps of its tolerance in each scene, and what it costs over the cheapest that is as accurate."""
 import os
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Draws one chart per scene: cost against error, every point, the Pareto front, the default and level auto."""
 import os
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Runs the offline runner and reads what it writes."""
 import json
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """What tells that a reference is stale: a short run of its scene, recorded with it, and run again each time.
 
 Stale is a reference whose scene would come out otherwise today, however the sources are spelled. The run is by the reference's own method with

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Calls one kernel of the solution many times, for callgrind: test/benchmark/run --weights.
 //   benchmark_kernels SCENE residual|tangent|solve|substitution COUNT [KEY=VALUE...]
 // Prints the number of nodes. The calls stand in functions of the kernels' names, so that callgrind can count in them alone.
@@ -18,7 +19,7 @@ namespace
 struct Bench
 {
   explicit Bench(const Scene& scene)
-    : rig(build_at_rest(scene)), stage(*rig.model), work(*rig.model), u(6 * rig.model->nodes()), residual(u.size())
+      : rig(build_at_rest(scene)), stage(*rig.model), work(*rig.model), u(6 * rig.model->nodes()), residual(u.size())
   {
     tangent.resize(rig.model->nodes(), rig.model->kernel());
     begin_step(*rig.model, rig.state, default_step, Setpoints(), stage);

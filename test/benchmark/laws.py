@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """What each law costs: instructions of a frame by callgrind, counted inside Simulator::frame() alone, over nodes and steps.
 
 Both trees run the same scene on the same mesh with the same method and step, so that what differs is what a step of a node costs. Instructions do not

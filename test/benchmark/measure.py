@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """How far a run is from the reference: one relative error per output and one for the scene.
 
 Scale of an output: its range in the reference over the whole run, at least the floor below (what the field's instruments resolve), so that

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The points of the charts: method x step x element length, levels and variable steps, each run once."""
 import csv
 import json

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """References: made by --full, kept in reference/ as NAME.csv.gz with NAME.json beside it: a hash of the scene's numbers and a fingerprint.
 
 A reference is the finest run that can be had; its own error is what a tolerance ten times (or a step twice) as large, the interval twice as

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The verdict in words: for the terminal and for test/benchmark/README.md."""
 import os
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The benchmark's scenes: what is run, how its error is measured, and what is known of it.
 
 Where a scene bifurcates (stick-slip, bounce, whirl, buckling) two exact solutions part from one another exponentially: from `trace_until`

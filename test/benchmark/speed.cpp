@@ -1,4 +1,6 @@
-// What a scene's string costs by each kernel that this machine has, on the clock of one thread, in turns: test/benchmark/run --speed.
+// SPDX-License-Identifier: BSD-3-Clause
+// What a scene's string costs by each kernel that this machine has, on the clock of one thread, in turns: test/benchmark/run
+// --speed.
 //   benchmark_speed SCENE [KEY=VALUE...]
 // The string starts with a sideways speed, largest at the bit. Prints JSON: a row a kernel, the least of the rounds each.
 #include <algorithm>
@@ -35,8 +37,10 @@ class Contender
 {
 public:
   explicit Contender(const Scene& scene)
-    : rig_(build_at_rest(scene)), stepper_(rig_.model, find_method(IntegratorKind::automatic)), step_(scene.numerics.step),
-      repeats_(std::max(4, static_cast<int>(kElementSteps / rig_.model->elements())))
+      : rig_(build_at_rest(scene)),
+        stepper_(rig_.model, find_method(IntegratorKind::automatic)),
+        step_(scene.numerics.step),
+        repeats_(std::max(4, static_cast<int>(kElementSteps / rig_.model->elements())))
   {
     const Mesh& mesh = rig_.model->mesh();
     for (int i = 0; i < rig_.model->top(); ++i)
@@ -56,9 +60,10 @@ public:
     const Model& model = *rig_.model;
     const Work& work = stepper_.work();
     const auto steps = static_cast<double>(stepper_.counters().steps);
-    std::printf("  {\"kernel\": \"%s\", \"elements\": %d, \"factor_and_solve_ns\": %.2f, \"substitution_ns\": %.2f, \"step_us\": %.4f, ",
-                name_of(model.kernel()), model.elements(), 1e9 * least_solve_ / model.nodes(), 1e9 * least_again_ / model.nodes(),
-                1e6 * least_step_ / model.elements());
+    std::printf(
+        "  {\"kernel\": \"%s\", \"elements\": %d, \"factor_and_solve_ns\": %.2f, \"substitution_ns\": %.2f, \"step_us\": %.4f, ",
+        name_of(model.kernel()), model.elements(), 1e9 * least_solve_ / model.nodes(), 1e9 * least_again_ / model.nodes(),
+        1e6 * least_step_ / model.elements());
     std::printf("\"solves\": %.3f, \"substitutions\": %.3f}%s\n", static_cast<double>(work.solves) / steps,
                 static_cast<double>(work.substitutions) / steps, last ? "" : ",");
   }

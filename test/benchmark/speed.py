@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """How fast the program is on this machine, by kernel: a table of figures of one core, each the least of rounds in which the kernels take turns.
 
 Bare pipe and its linear system are timed by benchmark_speed, whole rigs by the offline runner (`cpu_s` of its summaries, without the start).

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Error measures and verdict of the benchmark on made-up data."""
 import math
 import os

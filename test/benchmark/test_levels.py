@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Levels, variable steps and auto among the points of the benchmark, and the weights of counted work, on made-up data."""
 import os
 import sys

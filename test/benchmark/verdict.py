@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Pareto front of cost against error, and what it says of the default; and whether the default's own error is as small as it should be."""
 import math
 

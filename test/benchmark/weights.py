@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """What counted work weighs: instructions a node, counted once by callgrind (run --weights) and kept in weights.json.
 
 Counted work of a run = nodes x (residuals x w_residual + tangents x w_tangent + solves x w_solve + substitutions x w_substitution

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Controllers of the campaigns' tests: what they do wrong is their parameter."""
 import ctypes
 import os

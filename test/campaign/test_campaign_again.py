@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """A campaign's run once more: in this process, and on a node by the files and commands that a user is told; and the law that the texts show."""
 import glob
 import json

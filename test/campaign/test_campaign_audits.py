@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Audits of campaigns: which runs they are, that they are verified once, and what the page says of them."""
 import contextlib
 import io

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Campaigns on Dask, with two worker processes on localhost: the same results however many work and whoever is killed; Slurm by a stand-in."""
 import importlib.util
 import os

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Campaigns, the parts: scenes with other values, designs, indices, plans, runs that fail. Their results: test_campaign_results.py."""
 import importlib.util
 import io

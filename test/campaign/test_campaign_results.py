@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """A campaign's results' file: rows, readers, full disks and locks, and the page made of it."""
 import io
 import re

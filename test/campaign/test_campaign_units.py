@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Units in campaigns: factors whose values carry one, and the page in oilfield units."""
 import unittest
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A user's program: one second of a scene by the library, as a message.
 #include <drill_rig_sim/RigState.h>
 #include <drill_rig_sim/scene/read_scene.h>

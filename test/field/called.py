@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """What a command of the package answers: its exit status, standard output and standard error."""
 import io
 from contextlib import redirect_stderr, redirect_stdout

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """A record that the simulator made: a bit is brought to bottom and drills, smoothly; its gauges are noisy and the hook load has a tare. What made it is known."""
 import itertools
 import math

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """A time log that the simulator made: a string is picked up, slacked off, turned, and a stand is added. Friction and block are known, the gauges are noisy."""
 import itertools
 import os

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """drill calibrate --apply: what a fit found predicts the record of another well within its band; parts of a record; what is refused."""
 import importlib.util
 import json

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """drill calibrate, but for the runner in front of it: least squares with confidence, parameters of a record that the simulator made, what is refused.
 `test_calibrate.py --trials N [SEED]`: how often the truth lies within the stated confidence in N records, by the model itself."""
 import importlib.util

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Published records of other rigs are read as they are and replayed: see README.md. Skipped where they are absent."""
 import datetime
 import os

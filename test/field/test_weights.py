@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """drill weights: which moves of a time log are steady, and that what drill calibrate finds of them is what the simulator made the log with."""
 import importlib.util
 import json

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Fuzz target: bytes as orders to a small rig on bottom: set points, frames, tares, faults, snapshots taken and gone back to.
 // Everything reported stays finite, and the same orders from the same start lead to the same bits.
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Prints the keys and words of a scene file, a quoted entry a line: a dictionary for libFuzzer's own mutations.
 #include <cstdio>
 #include <set>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Gives the files and folders on the command line to a fuzz target, one after the other, without libFuzzer: what was found once
 // stays tested with every compiler. Each input may take 10 s of processor time and 1 GB.
 #include <dirent.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Fuzz target: bytes as a scene file. Either one line a problem comes back, or a rig that can be built, or one line why not; a
 // rig that was built takes 50 frames of wild commands with everything it reports finite, and a snapshot brings back the same
 // bits.

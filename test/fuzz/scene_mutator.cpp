@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Changes scene files as their table of keys suggests: most of what comes out parses, and much of it is accepted. Works on the
 // text, so that one change leaves everything else as it was.
 #include <algorithm>

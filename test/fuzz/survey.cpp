@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Fuzz target: bytes as a survey file. Either one line a problem comes back, or a survey from which a well can be built; the
 // path, the search for the closest point and the extension of the hole then stay finite wherever they are asked.
 #include "drill_rig_sim/well/survey.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Changes surveys by the number and by the line; libFuzzer's own mutations do the rest.
 #include <algorithm>
 #include <cstdint>

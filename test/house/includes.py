@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Which room of the sources includes which, and what the order of the rooms forbids.
 
 A room is a folder of src/ and of include/drill_rig_sim/ by the same name, with its sub-folders.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """How many times each law of the core stands in the sources, by an expression that no other text needs."""
 import re
 

@@ -1,17 +1,21 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Lengths of files and functions, and which are too long to be seen whole."""
 import ast
 
+import licence
 import tokens
 
 MOST_FILE_LINES = 400
 MOST_FUNCTION_LINES = 60
+MOST_COLUMNS = 130  # of C++
 CPP = ('.cpp', '.h')
 # what may be longer, 'file' or 'file:function', and why
 ALLOWED = {}
 
 
 def lines_of(text):
-    return text.count('\n') + (not text.endswith('\n') and text != '')
+    """Lines of a file but the one of its licence."""
+    return text.count('\n') + (not text.endswith('\n') and text != '') - (licence.LINE in text[:200])
 
 
 def is_python(file, text):
@@ -172,6 +176,9 @@ def faults(texts, allowed=None):
         text = texts[file]
         if lines_of(text) > MOST_FILE_LINES:
             too_long.append((file, '%s:1: %d lines, allowed: %d in a file' % (file, lines_of(text), MOST_FILE_LINES)))
+        for number, line in enumerate(text.split('\n') if is_cpp(file) else [], 1):
+            if len(line) > MOST_COLUMNS:
+                too_long.append((file, '%s:%d: %d columns, allowed: %d in a line' % (file, number, len(line), MOST_COLUMNS)))
         try:
             found = functions(file, text)
         except (SyntaxError, ValueError) as error:

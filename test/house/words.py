@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Phrases that are never right in a text of this package, and where they stand: a plain word exists for each."""
 import re
 

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """The law drill_rig_sim.autodriller against a rig whose hook load is noisy and late: weight kept into harder rock, loops that take over from each
 other without a bump, and a stalled motor got going again. Fed by readings, judged by the truth."""
 import unittest

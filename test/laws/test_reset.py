@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """A rig that is reset, or whose snapshot is restored, in the middle of a law's run: the law begins again, and what follows is the first run once more."""
 import os
 import unittest

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """The law drill_rig_sim.rss_steering: builds 3 deg/30 m by downlinks within half a degree and a metre of its plan."""
 import os
 import unittest

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """The law drill_rig_sim.slide_steering: holds the toolface against the motor's torque in every slide, and follows its plan by slides and rotation."""
 import math
 import os

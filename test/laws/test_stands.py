@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """The law drill_rig_sim.stands: five stands drilled, with the connections between them, by a noisy dead line."""
 import unittest
 

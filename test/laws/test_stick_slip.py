@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """The law drill_rig_sim.stick_slip: sees by the torque that the bit of a 3 km string sticks and slips, and ends it by each of its remedies."""
 import unittest
 

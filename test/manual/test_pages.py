@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Types every page of the manual from its first line to its last, each in a folder of its own, as a reader would.
 
 Usage: test_pages.py [PAGE ...], as how_to/survey; needs the environment of the built package. A page whose packages are not installed is skipped.

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """The form of the manual's pages: what they lead to is there, a law has all its parts, lengths are what a reader takes in. Needs no package."""
 import glob
 import importlib

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """A copy of the tree with a build of its own, in which mutants are compiled and tested."""
 import glob
 import hashlib

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Which faults are tried: rooms by the tree, an order by the seed."""
 import collections
 import functools

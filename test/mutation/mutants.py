@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Finds the small faults that can be put into a C++ text: each a Mutant, the text between two places and what takes its place.
 
 What is written follows the house's format: a binary operator has white space on both sides, a template's bracket or a unary one not.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """What became of each mutant: a file of JSON lines, the table by room, the survivors and what is argued about them."""
 import glob
 import json

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """C++ text into tokens, as far as mutations need it: comments and preprocessor lines are left out, brackets know their partners."""
 import bisect
 import re

@@ -1,5 +1,8 @@
-// Subscribes to topics as they come, without looking into them but for the stamp, and tells at the end what came and which stamps are missing.
-//   realtime_listener PERIOD_NS TOPIC[=OFFSET]...   OFFSET: of the stamp in the message [bytes]; a stamp each period, unless there is none
+// SPDX-License-Identifier: BSD-3-Clause
+// Subscribes to topics as they come, without looking into them but for the stamp, and tells at the end what came and which stamps
+// are missing.
+//   realtime_listener PERIOD_NS TOPIC[=OFFSET]...   OFFSET: of the stamp in the message [bytes]; a stamp each period, unless
+//   there is none
 // Prints `TOPIC RECEIVED MISSING` a line when it is interrupted.
 #include <ros/ros.h>
 
@@ -58,7 +61,8 @@ namespace
 class Topic
 {
 public:
-  Topic(ros::NodeHandle& node, const std::string& argument, std::int64_t period) : name_(argument.substr(0, argument.find('='))), period_(period)
+  Topic(ros::NodeHandle& node, const std::string& argument, std::int64_t period)
+      : name_(argument.substr(0, argument.find('='))), period_(period)
   {
     if (name_ != argument) offset_ = std::atoi(argument.c_str() + name_.size() + 1);
     subscriber_ = node.subscribe<AnyMessage>(name_, 10000, [this](const boost::shared_ptr<AnyMessage const>& m) { take(*m); });

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """One node in real time: what its diagnostics and the system say of it; and the same commands in lockstep."""
 import time
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """What a run is made of: a master, the node, a subscriber of all its topics, a hog; and what the system knows of them."""
 import os
 import signal

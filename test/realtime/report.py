@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Tables of runs in real time, for the terminal and for README.md."""
 import os
 import platform

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """./test/realtime/run from outside: whatever the machine bears, it ends well and accounts for every frame. And its tables, by hand."""
 import os
 import re

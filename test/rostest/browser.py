@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Headless Chromium for the tests of the page of `drill web`, and the bridge itself as a process."""
 import base64
 import contextlib

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Geometry that the tests work out by themselves: a well's path by minimum curvature, rotations, scenes as they are written."""
 import math
 import os

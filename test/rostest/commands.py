@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Commands beyond a limit are clamped and flagged, nonsense is refused whole, and a stream that stops brakes the rig."""
 import math
 

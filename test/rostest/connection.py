@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Slips and connections: by the services, and by the crew of a scene that says connections: auto."""
 from drill_rig_sim.msg import MwdSurvey
 from drill_rig_sim.srv import MakeConnectionRequest

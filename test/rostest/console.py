@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """The rviz panel DrillersConsole under a virtual X server: the program test_console, whose tests lie in test/rviz, and rviz itself with panel and display, ended in
 either order. Pictures to be looked at stay in the build folder as console_*.png and rviz_console_*.png."""
 import os

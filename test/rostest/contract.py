@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """The whole interface against test/interface_contract.yaml: names, types, directions, latching."""
 import io
 import os

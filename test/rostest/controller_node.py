@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """launch/autodriller.launch by topics: the law that test/laws/test_autodriller.py tries in lockstep keeps the weight as a node of its own too."""
 import threading
 import unittest

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Diagnostics come while the rig runs, while it is paused and after a frame that failed, from which reset_well recovers."""
 import math
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """The program test_display, whose tests lie in test/rviz/display: tool Probe and every colouring of the display Drillstring, with a string whose numbers
 are known. Pictures to be looked at stay in the build folder as display_values_*.png."""
 from qt_program import environment_of, must_pass

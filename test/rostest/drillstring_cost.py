@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """What the display Drillstring costs with a string of 1300 elements under software GL: its own work at most a quarter of a processor core at the default
 rates, as it tells in its log; how many frames a second are drawn is told, not judged, for that is the machine's."""
 import os

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """The display Drillstring with config/rviz/rig.rviz against the running node, under a virtual X server: what is to be seen at two window sizes, a node
 that is killed and comes back, messages that cannot be drawn, subscriptions of what is shown alone. Screenshots stay in the
 build folder as display_*_seen.png."""

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """The modes of the top drive as a controller sees them: an angle that is held, rocking, speed by a drive that gives way to the string."""
 import math
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Faults and interlocks from outside: each begins, shows and ends; what makes no sense is refused and changes nothing."""
 import math
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """A first test of a controller: frame by frame, the same to the last bit however busy the machine is."""
 import unittest
 

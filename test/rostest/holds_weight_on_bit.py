@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """The front page's first controllers hold their weight on bit and drill as fast as the rock allows; after a reset in the middle of that they do so again,
 and put no more on the bit than before."""
 from drill_rig_sim.msg import BitTruth, RigTruth

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """The controllers of launch/, each as its launch file has it, in the middle of their task: the rig is paused, then reset, then its node dies and is started
 again. The law waits with the pause, begins again after the others, and never puts more on the bit than it did before."""
 import os

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Each limit of the rig by itself: its flag is set where the limit holds the rig back, and not before or after; its number is kept."""
 import math
 import os

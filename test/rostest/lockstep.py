@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Lockstep: exact frames, and bit-identical states on repetition and after a restored snapshot, in the middle of drilling."""
 import os
 import tempfile

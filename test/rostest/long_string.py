@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """A string of 1300 elements and its well as a rig would publish them, 12 km, half of it horizontal: for what displays cost. It turns at 120 rpm, at the
 default rates: drillstring_state ten times, tf thirty times a second."""
 import math

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """A scene's operations in the node: told as they go, and bit for bit what the runner makes of the same file."""
 import json
 import math

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Time in the hands of its services: pause, resume, set_speed; what a newcomer sees while it stands."""
 import math
 import subprocess

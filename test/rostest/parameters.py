@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """A wrong parameter stops the node at start with one line that names it, its value and what is allowed."""
 import os
 import re

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """The node as a process: one line at the start, the end by a signal whatever it is doing, and what it says of other nodes' clocks."""
 import os
 import re

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Programs of gtest that open windows, under a virtual X server of their own."""
 import os
 import subprocess

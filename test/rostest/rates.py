@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Topics come at their rates, counted by their stamps, and real time is kept."""
 from diagnostic_msgs.msg import DiagnosticArray
 from drill_rig_sim.msg import BitTruth, DrillstringState, MwdSurvey, MwdToolface, RigLimits, RigState, RigTruth

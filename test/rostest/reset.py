@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """reset_well goes back to the start exactly, the clock apart, and a refusal changes nothing."""
 import math
 import os

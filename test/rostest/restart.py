@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """The rig is paused in the middle of a law's run, and the law waits with it. Its node dies and is started again, its time from 0 on: controller, recorder
 and WITS go on with the new run."""
 import os

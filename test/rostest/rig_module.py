@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """The Python module drill_rig_sim.rig against the node: set points, time, readings and truth, what is refused, and runs that repeat."""
 import os
 import tempfile

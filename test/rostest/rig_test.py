@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """What the tests of the node share: a client of one rig, and how a test file runs."""
 import os
 import shutil

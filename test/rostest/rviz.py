@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """What rviz shows with the configs of config/rviz, opened by hand while a rig drills: rig.rviz the string in its well beside the driller's console,
 markers.rviz the markers. Under a virtual X server. The screenshots stay in the build folder as rviz_*seen.png; with UPDATE_README=1 that of rig.rviz also
 becomes the front page's picture."""

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """rviz in a virtual X server: what the tests of displays share."""
 import os
 import shutil

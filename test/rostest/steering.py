@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """A rotary steerable tool as a controller sees it: by command on the topic and in a step, and by a downlink of the pump's flow."""
 import math
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """A controller that knows topics only, in lockstep: the rig goes on to its next rig_state when the last one is answered, however long that takes."""
 import random
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """What a picture of the display Drillstring holds, told by colours: what the tests of rviz with it share."""
 
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """What is reported along the string and from downhole, against numbers worked out by hand for a string that hangs in a hole without
 friction: lengths, places, weights, bending, contact; surveys and toolface; the frames of the parts; the picture's points."""
 import math

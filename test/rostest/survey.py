@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """load_survey takes a sound survey and refuses a broken one, says which station and why, and changes nothing."""
 import math
 import os

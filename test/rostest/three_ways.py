@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """One controller, the same rig three ways: commands on topics, commands with the service `step`, and a simulator in this process. Readings, truth and
 bit are the same to the last bit."""
 import time

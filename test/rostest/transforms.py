@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """The frames make one connected tree, move as the signs say, and are never sent twice with one stamp."""
 import math
 import xml.etree.ElementTree as xml

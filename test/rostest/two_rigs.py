@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Two rigs side by side: one clock, own topics and frames, and the second follows the first's time."""
 import rosgraph
 from drill_rig_sim.msg import RigState, WinchCommand

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Two rigs in lockstep: a step of the first answers when the second has computed its frames too, and leaves none of them out."""
 import threading
 

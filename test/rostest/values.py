@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """What the rig and the bit report, against numbers worked out by hand and each other: the gauges, the joints, the bit's motion and load."""
 import math
 

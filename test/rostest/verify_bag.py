@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """A run of the node, recorded in a bag: `drill verify` plays it again by its set points, and refuses it where a service has changed the rig."""
 import json
 import os

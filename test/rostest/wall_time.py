@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Without /clock and without simulated time stamps are wall time."""
 import rosgraph
 from drill_rig_sim.msg import RigState

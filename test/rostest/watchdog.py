@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """The watchdog as the launch files set it: a controller that dies stops the block, a single command stands; and two senders on one topic are reported."""
 import os
 import subprocess

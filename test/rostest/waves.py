@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """What is done at the surface reaches the bit as waves: signs, travel times and wind-up in a vertical frictionless hole."""
 import math
 

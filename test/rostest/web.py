@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """The page of `drill web` in headless Chromium beside a node: numbers, units, control and its dead-man, autodriller, the node killed and back."""
 import collections
 import os

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """What wits0_server sends, against the topics it is made of; a client that never reads holds up neither the rig nor another client."""
 import math
 import re

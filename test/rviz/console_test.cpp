@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "console_test.h"
 
 #include <ros/package.h>
@@ -38,7 +39,10 @@ RigProcess::RigProcess(const std::string& name, const QStringList& more)
   if (!process_.waitForStarted()) throw std::runtime_error("rig_simulator does not start: set RIG_SIMULATOR to its path");
 }
 
-RigProcess::~RigProcess() { end(SIGINT); }
+RigProcess::~RigProcess()
+{
+  end(SIGINT);
+}
 
 void RigProcess::end(int signal)
 {
@@ -48,7 +52,10 @@ void RigProcess::end(int signal)
   process_.waitForFinished();
 }
 
-bool RigProcess::runs() const { return process_.state() != QProcess::NotRunning; }
+bool RigProcess::runs() const
+{
+  return process_.state() != QProcess::NotRunning;
+}
 
 RigProcess& shared_rig()
 {
@@ -60,7 +67,8 @@ void set_speed(const std::string& rig, double factor)
 {
   drill_rig_sim::SetSpeed call;
   call.request.speed = factor;
-  if (!ros::service::call("/" + rig + "/set_speed", call) || !call.response.success) throw std::runtime_error("set_speed: " + call.response.message);
+  if (!ros::service::call("/" + rig + "/set_speed", call) || !call.response.success)
+    throw std::runtime_error("set_speed: " + call.response.message);
 }
 
 bool wait_until(const std::function<bool()>& condition, double seconds)
@@ -81,9 +89,13 @@ void wait_for(double seconds)
   wait_until([] { return false; }, seconds);
 }
 
-QString out_folder() { return QFileInfo(environment("ROS_HOME", "/tmp/x")).path(); }
+QString out_folder()
+{
+  return QFileInfo(environment("ROS_HOME", "/tmp/x")).path();
+}
 
-Console::Console(const QString& rig, int width, int height) : window_(new QMainWindow), panel_(the_loader->createUnmanagedInstance("drill_rig_sim/DrillersConsole"))
+Console::Console(const QString& rig, int width, int height)
+    : window_(new QMainWindow), panel_(the_loader->createUnmanagedInstance("drill_rig_sim/DrillersConsole"))
 {
   panel_->setClassId("drill_rig_sim/DrillersConsole");
   panel_->setName("DrillersConsole");
@@ -98,7 +110,10 @@ Console::Console(const QString& rig, int width, int height) : window_(new QMainW
   QTest::qWait(50);
 }
 
-Console::~Console() { close(); }
+Console::~Console()
+{
+  close();
+}
 
 void Console::close()
 {
@@ -151,20 +166,23 @@ void Console::choose(const QString& name, const QString& text)
   while (box->currentIndex() > n) QTest::keyClick(box, Qt::Key_Up);
 }
 
-void Console::forget_answer() { get<QLabel>("answer")->setText(""); }
+void Console::forget_answer()
+{
+  get<QLabel>("answer")->setText("");
+}
 
 ::testing::AssertionResult Console::answers(const QString& beginning)
 {
   if (wait_until([&] { return get<QLabel>("answer")->text().startsWith(beginning); })) return ::testing::AssertionSuccess();
-  return ::testing::AssertionFailure() << "the answer shown is \"" << get<QLabel>("answer")->text().toStdString() << "\", expected \""
-                                       << beginning.toStdString() << "...\"";
+  return ::testing::AssertionFailure() << "the answer shown is \"" << get<QLabel>("answer")->text().toStdString()
+                                       << "\", expected \"" << beginning.toStdString() << "...\"";
 }
 
 ::testing::AssertionResult Console::is_in_state(const QString& state)
 {
   if (wait_until([&] { return get<QLabel>("simulator state")->text().startsWith(state); })) return ::testing::AssertionSuccess();
-  return ::testing::AssertionFailure() << "the simulator is shown as " << get<QLabel>("simulator state")->text().toStdString() << ", expected "
-                                       << state.toStdString();
+  return ::testing::AssertionFailure() << "the simulator is shown as " << get<QLabel>("simulator state")->text().toStdString()
+                                       << ", expected " << state.toStdString();
 }
 
 ::testing::AssertionResult Console::asks(const QString& button, const QString& beginning)

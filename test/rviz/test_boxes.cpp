@@ -1,4 +1,6 @@
-// Boxes of numbers of the driller's console: set points follow what is in force until they are edited; a magnitude has its gauge's unit.
+// SPDX-License-Identifier: BSD-3-Clause
+// Boxes of numbers of the driller's console: set points follow what is in force until they are edited; a magnitude has its
+// gauge's unit.
 #include <cmath>
 
 #include "console_test.h"
@@ -12,10 +14,7 @@ using drill_rig_sim::TopDriveCommand;
 class Boxes : public ::testing::Test
 {
 protected:
-  Boxes()
-  {
-    shared_rig();
-  }
+  Boxes() { shared_rig(); }
   void SetUp() override
   {
     ASSERT_TRUE(console_.is_in_state("RUNNING"));
@@ -66,7 +65,8 @@ TEST_F(Boxes, SetPointsFollowUntilTheyAreEdited)
   EXPECT_NEAR(53.0 * M_PI / 30.0, commands.all().back()->speed, 1e-2) << "what turns goes on";
 }
 
-// The boxes follow what is in force only once the rig has reported it: Apply right after Stop must not start again what was stopped.
+// The boxes follow what is in force only once the rig has reported it: Apply right after Stop must not start again what was
+// stopped.
 TEST_F(Boxes, ApplyAfterStopStartsNothing)
 {
   Listener<MudPumpCommand> flows("mud_pump/command");
@@ -85,7 +85,8 @@ TEST_F(Boxes, ApplyAfterStopStartsNothing)
   for (const auto& flow : flows.all()) EXPECT_EQ(0.0, flow->flow);
   for (const auto& drive : drives.all()) EXPECT_EQ(0.0, drive->speed);
   EXPECT_EQ(TopDriveCommand::SPEED, drives.all().back()->mode);
-  EXPECT_TRUE(wait_until([&] { return console_.shows("mud pump in force").startsWith("0 "); })) << console_.shows("mud pump in force").toStdString();
+  EXPECT_TRUE(wait_until([&] { return console_.shows("mud pump in force").startsWith("0 "); }))
+      << console_.shows("mud pump in force").toStdString();
 }
 
 TEST_F(Boxes, AMagnitudeHasTheUnitOfItsGauge)

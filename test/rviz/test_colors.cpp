@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The console as one sees it who cannot tell red from green.
 #include <QImage>
 #include <QTableWidget>
@@ -11,9 +12,15 @@ using namespace console_test;
 
 namespace
 {
-double linear(double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); }
+double linear(double c)
+{
+  return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+}
 
-double coded(double c) { return c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1.0 / 2.4) - 0.055; }
+double coded(double c)
+{
+  return c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1.0 / 2.4) - 0.055;
+}
 
 // Deuteranopia after Machado, Oliveira and Fernandes (2009), severity 1, on linear RGB.
 std::array<double, 3> deuteranope(QRgb color)
@@ -28,7 +35,8 @@ std::array<double, 3> deuteranope(QRgb color)
 std::array<double, 3> lab(const std::array<double, 3>& c)
 {
   const auto f = [](double t) { return t > 0.008856 ? std::cbrt(t) : 7.787 * t + 16.0 / 116.0; };
-  const double x = f((0.4124 * c[0] + 0.3576 * c[1] + 0.1805 * c[2]) / 0.9505), y = f(0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2]),
+  const double x = f((0.4124 * c[0] + 0.3576 * c[1] + 0.1805 * c[2]) / 0.9505),
+               y = f(0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2]),
                z = f((0.0193 * c[0] + 0.1192 * c[1] + 0.9505 * c[2]) / 1.089);
   return {116.0 * y - 16.0, 500.0 * (x - y), 200.0 * (y - z)};
 }
@@ -47,7 +55,8 @@ QRgb bar_of(const QWidget* gauge)
   for (int y = 3 * image.height() / 4; y < image.height(); ++y)
     for (int x = 0; x < image.width(); ++x)
       if (const QColor c = image.pixelColor(x, y); c.value() > 150 && c.saturation() > 60) ++count[c.rgb()];
-  const auto most = std::max_element(count.begin(), count.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+  const auto most =
+      std::max_element(count.begin(), count.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
   return most == count.end() ? 0 : most->first;
 }
 }  // namespace
@@ -68,7 +77,12 @@ TEST(Colors, LevelsDifferForTheColourBlind)
   {
     table->item(0, 2)->setText(QString::number(limit * load, 'f', 1));
     const QString wanted = level;
-    EXPECT_TRUE(wait_until([&] { return wanted == "normal" ? !console.shows("gauge hook_load").contains("caution") : console.shows("gauge hook_load").contains(wanted); }));
+    EXPECT_TRUE(wait_until(
+        [&]
+        {
+          return wanted == "normal" ? !console.shows("gauge hook_load").contains("caution")
+                                    : console.shows("gauge hook_load").contains(wanted);
+        }));
     console.open_page_of("gauge hook_load");
     wait_for(0.5);
     seen[wanted] = bar_of(console.get("gauge hook_load"));

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Every control of the driller's console: its command arrives, its service answers, what is in force is shown, and a refusal too.
 #include <ros/package.h>
 
@@ -26,10 +27,7 @@ using drill_rig_sim::WinchCommand;
 class Commands : public ::testing::Test
 {
 protected:
-  Commands()
-  {
-    shared_rig();
-  }
+  Commands() { shared_rig(); }
   void SetUp() override
   {
     ASSERT_TRUE(console_.is_in_state("RUNNING"));
@@ -174,7 +172,8 @@ TEST_F(Commands, EveryModeOfTheTopDrive)
     ASSERT_TRUE(wait_until([&] { return commands.all().size() == 1; })) << one.mode;
     EXPECT_EQ(one.number, commands.all().back()->mode);
     EXPECT_DOUBLE_EQ(20e3, commands.all().back()->torque_limit);
-    EXPECT_TRUE(wait_until([&] { return console_.shows("top drive in force").startsWith(one.in_force); })) << console_.shows("top drive in force").toStdString();
+    EXPECT_TRUE(wait_until([&] { return console_.shows("top drive in force").startsWith(one.in_force); }))
+        << console_.shows("top drive in force").toStdString();
   }
   EXPECT_NEAR(M_PI, commands.all().back()->amplitude_right, 1e-3);
   commands.clear();
@@ -240,7 +239,10 @@ TEST_F(Commands, SlipsAndConnection)
   ASSERT_TRUE(console_.asks("connection remove", "make_connection: "));
   // refused while the top drive of the tests before still turns
   const auto is_in_slips = [&]
-  { return console_.asks("slips set", "set_slips: ") && wait_until([&] { return console_.shows("pipe state").contains("in slips"); }, 1.0); };
+  {
+    return console_.asks("slips set", "set_slips: ") &&
+           wait_until([&] { return console_.shows("pipe state").contains("in slips"); }, 1.0);
+  };
   EXPECT_TRUE(wait_until(is_in_slips)) << console_.get<QLabel>("answer")->text().toStdString();
   ASSERT_TRUE(console_.asks("slips pull", "set_slips: "));
 }
@@ -265,16 +267,19 @@ TEST(Connection, AStandByHand)
     console.click("winch set brake");
     return came && wait_until([&] { return std::abs(last().block_velocity) < 1e-6; });
   };
-  const auto shows_pipe = [&](const QString& text) { return wait_until([&] { return console.shows("pipe state").startsWith(text); }); };
+  const auto shows_pipe = [&](const QString& text)
+  { return wait_until([&] { return console.shows("pipe state").startsWith(text); }); };
   const unsigned stands = last().stand_count;
   const double hanging = last().hook_load;
   ASSERT_TRUE(console.asks("slips set", "set_slips: the slips are set"));
   EXPECT_TRUE(shows_pipe(QStringLiteral("in slips, %1 stands").arg(stands)));
   console.type("winch speed", "0.01");
-  constexpr double block_and_pipe = 9.80665 * (17500.0 + 10.0 * 31.9), gravity = 9.80665;  // of the scene; a joint at most lies above the slips
+  constexpr double block_and_pipe = 9.80665 * (17500.0 + 10.0 * 31.9),
+                   gravity = 9.80665;  // of the scene; a joint at most lies above the slips
   ASSERT_GT(hanging, block_and_pipe + 50e3);
   ASSERT_TRUE(hold("winch lower", [&] { return last().hook_load < block_and_pipe + 4e3; })) << last().hook_load;
-  ASSERT_TRUE(console.asks("connection add", "make_connection: adding one stand; current_operation shows when it is finished")) << console.get<QLabel>("answer")->text().toStdString();
+  ASSERT_TRUE(console.asks("connection add", "make_connection: adding one stand; current_operation shows when it is finished"))
+      << console.get<QLabel>("answer")->text().toStdString();
   EXPECT_TRUE(wait_until([&] { return last().current_operation == "connecting"; }));
   ASSERT_TRUE(shows_pipe(QStringLiteral("in slips, %1 stands").arg(stands + 1)));
   ASSERT_TRUE(wait_until([&] { return last().current_operation.empty(); }));

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The driller's console at the sizes that it has on screens: nothing is cut off, nothing overlaps; pictures to look at.
 #include <QAbstractScrollArea>
 #include <QCheckBox>
@@ -12,7 +13,9 @@ namespace
 {
 std::string name_of(const QWidget* widget)
 {
-  return (widget->accessibleName().isEmpty() ? widget->objectName() + " " + widget->metaObject()->className() : widget->accessibleName()).toStdString();
+  return (widget->accessibleName().isEmpty() ? widget->objectName() + " " + widget->metaObject()->className()
+                                             : widget->accessibleName())
+      .toStdString();
 }
 
 // What has a word to say must have room for it.
@@ -21,7 +24,9 @@ bool words_fit(const QWidget* widget)
   if (const auto* label = qobject_cast<const QLabel*>(widget))
   {
     const QRect room = label->contentsRect().adjusted(label->margin(), 0, -label->margin(), 0);
-    if (label->wordWrap()) return label->fontMetrics().boundingRect(QRect(0, 0, room.width(), 10000), Qt::TextWordWrap, label->text()).height() <= room.height();
+    if (label->wordWrap())
+      return label->fontMetrics().boundingRect(QRect(0, 0, room.width(), 10000), Qt::TextWordWrap, label->text()).height() <=
+             room.height();
     return label->fontMetrics().horizontalAdvance(label->text()) <= label->contentsRect().width() + 1;
   }
   if (qobject_cast<const QAbstractButton*>(widget) != nullptr || qobject_cast<const QComboBox*>(widget) != nullptr ||
@@ -31,17 +36,24 @@ bool words_fit(const QWidget* widget)
 }
 
 // A sentence of the simulator's is as long as it is: its tip has all of it.
-bool may_be_cut(const QWidget* widget) { return !widget->toolTip().isEmpty() && qobject_cast<const QLabel*>(widget) != nullptr; }
+bool may_be_cut(const QWidget* widget)
+{
+  return !widget->toolTip().isEmpty() && qobject_cast<const QLabel*>(widget) != nullptr;
+}
 
 // Whether a widget's children are laid out by this package, not within a widget of Qt's.
-bool is_ours(const QWidget* parent) { return parent->layout() != nullptr && qobject_cast<const QTabWidget*>(parent) == nullptr; }
+bool is_ours(const QWidget* parent)
+{
+  return parent->layout() != nullptr && qobject_cast<const QTabWidget*>(parent) == nullptr;
+}
 
 // What makes a page so wide.
 std::string least_widths(const QWidget* page)
 {
   QStringList list;
   for (const QWidget* widget : page->findChildren<QWidget*>())
-    if (!widget->accessibleName().isEmpty()) list << QStringLiteral("%1 %2").arg(widget->accessibleName()).arg(widget->minimumSizeHint().width());
+    if (!widget->accessibleName().isEmpty())
+      list << QStringLiteral("%1 %2").arg(widget->accessibleName()).arg(widget->minimumSizeHint().width());
   return list.join(", ").toStdString();
 }
 
@@ -53,20 +65,23 @@ void expect_in_order(const QWidget* parent)
       if (widget->isVisible() && !widget->isWindow()) children << widget;
   for (QWidget* child : children)
   {
-    const bool is_scrolled =
-        qobject_cast<const QAbstractScrollArea*>(parent) != nullptr || qobject_cast<const QAbstractScrollArea*>(parent->parentWidget()) != nullptr;
-    EXPECT_TRUE(is_scrolled || parent->rect().contains(child->geometry())) << name_of(child) << " is not within " << name_of(parent);
+    const bool is_scrolled = qobject_cast<const QAbstractScrollArea*>(parent) != nullptr ||
+                             qobject_cast<const QAbstractScrollArea*>(parent->parentWidget()) != nullptr;
+    EXPECT_TRUE(is_scrolled || parent->rect().contains(child->geometry()))
+        << name_of(child) << " is not within " << name_of(parent);
     EXPECT_TRUE(words_fit(child) || may_be_cut(child)) << name_of(child) << " has no room for its words";
     for (QWidget* other : children)
-      EXPECT_FALSE(other != child && is_ours(parent) && other->geometry().intersects(child->geometry())) << name_of(child) << " overlaps " << name_of(other);
-    const bool is_of_others =
-        qobject_cast<const QAbstractSpinBox*>(child) != nullptr || qobject_cast<const QComboBox*>(child) != nullptr || child->inherits("QwtPlot");
+      EXPECT_FALSE(other != child && is_ours(parent) && other->geometry().intersects(child->geometry()))
+          << name_of(child) << " overlaps " << name_of(other);
+    const bool is_of_others = qobject_cast<const QAbstractSpinBox*>(child) != nullptr ||
+                              qobject_cast<const QComboBox*>(child) != nullptr || child->inherits("QwtPlot");
     if (!is_of_others) expect_in_order(child);
   }
-  if (const auto* area = qobject_cast<const QScrollArea*>(parent)) 
+  if (const auto* area = qobject_cast<const QScrollArea*>(parent))
   {
     EXPECT_EQ(0, area->verticalScrollBar()->maximum()) << name_of(area->widget()) << " must be scrolled";
-    EXPECT_LE(area->widget()->width(), area->viewport()->width()) << name_of(area->widget()) << " is cut off: " << least_widths(area->widget());
+    EXPECT_LE(area->widget()->width(), area->viewport()->width())
+        << name_of(area->widget()) << " is cut off: " << least_widths(area->widget());
   }
 }
 
@@ -86,10 +101,7 @@ void look_at_all_pages(Console& console, const QString& size)
 class Layout : public ::testing::Test
 {
 protected:
-  Layout()
-  {
-    shared_rig();
-  }
+  Layout() { shared_rig(); }
 };
 
 // A dock of rviz beside the view: what menu, tools, title and status line leave of the screen.
@@ -123,8 +135,8 @@ TEST_F(Layout, EveryWidgetToWorkWithHasAName)
   {
     // parts of spin boxes, combo boxes, lists and dialogs
     for (const QWidget* w = widget->parentWidget(); w != nullptr && w != console.panel(); w = w->parentWidget())
-      if (qobject_cast<const QAbstractSpinBox*>(w) != nullptr || qobject_cast<const QComboBox*>(w) != nullptr || qobject_cast<const QTabBar*>(w) != nullptr ||
-          qobject_cast<const QAbstractItemView*>(w) != nullptr || w->isWindow())
+      if (qobject_cast<const QAbstractSpinBox*>(w) != nullptr || qobject_cast<const QComboBox*>(w) != nullptr ||
+          qobject_cast<const QTabBar*>(w) != nullptr || qobject_cast<const QAbstractItemView*>(w) != nullptr || w->isWindow())
         return true;
     return false;
   };
@@ -132,8 +144,9 @@ TEST_F(Layout, EveryWidgetToWorkWithHasAName)
   for (const QWidget* widget : console.panel()->findChildren<QWidget*>())
   {
     if (is_of_qt(widget)) continue;
-    const bool works = qobject_cast<const QAbstractButton*>(widget) != nullptr || qobject_cast<const QAbstractSpinBox*>(widget) != nullptr ||
-                       qobject_cast<const QComboBox*>(widget) != nullptr || qobject_cast<const QAbstractItemView*>(widget) != nullptr;
+    const bool works =
+        qobject_cast<const QAbstractButton*>(widget) != nullptr || qobject_cast<const QAbstractSpinBox*>(widget) != nullptr ||
+        qobject_cast<const QComboBox*>(widget) != nullptr || qobject_cast<const QAbstractItemView*>(widget) != nullptr;
     EXPECT_FALSE(works && widget->accessibleName().isEmpty()) << name_of(widget);
     if (!widget->accessibleName().isEmpty()) names << widget->accessibleName();
   }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The driller's console beside a simulator that comes, goes, hangs or was never there; what it keeps, and what it costs.
 #include <ros/callback_queue.h>
 #include <ros/package.h>
@@ -36,14 +37,14 @@ TEST(Life, SaysWhoIsNotThereAndRefusesCommands)
   Console console("nobody_home");
   ASSERT_TRUE(console.is_in_state("ABSENT"));
   for (const auto& [button, what] : std::vector<std::pair<QString, QString>>{{"winch set brake", "winch"},
-                                                                              {"top drive apply", "top drive"},
-                                                                              {"mud pump apply", "mud pump"},
-                                                                              {"steering apply", "steering"},
-                                                                              {"time pause", "pause"},
-                                                                              {"pipe tare", "tare"},
-                                                                              {"slips set", "set_slips"},
-                                                                              {"connection add", "make_connection"},
-                                                                              {"fault begin", "inject_fault"}})
+                                                                             {"top drive apply", "top drive"},
+                                                                             {"mud pump apply", "mud pump"},
+                                                                             {"steering apply", "steering"},
+                                                                             {"time pause", "pause"},
+                                                                             {"pipe tare", "tare"},
+                                                                             {"slips set", "set_slips"},
+                                                                             {"connection add", "make_connection"},
+                                                                             {"fault begin", "inject_fault"}})
     EXPECT_TRUE(console.asks(button, what + ": not sent: no simulator at /nobody_home"));
   console.forget_answer();
   console.click_and_agree("well reset", "well reset question");
@@ -139,7 +140,8 @@ TEST(Life, InLockstepItWaitsAndSteps)
   Console console("stepped");
   ASSERT_TRUE(console.is_in_state("WAITS FOR A STEP"));
   ASSERT_TRUE(console.asks("time step", "step: done"));
-  EXPECT_TRUE(wait_until([&] { return console.shows("simulated time").startsWith("0:00:01"); })) << console.shows("simulated time").toStdString();
+  EXPECT_TRUE(wait_until([&] { return console.shows("simulated time").startsWith("0:00:01"); }))
+      << console.shows("simulated time").toStdString();
 }
 
 TEST(Life, HiddenItListensToNothing)
@@ -213,7 +215,8 @@ TEST(Life, AServiceThatHangsDoesNotHangTheWindow)
   node.setCallbackQueue(&queue);
   std::atomic<bool> over{false};
   std::atomic<int> calls{0};
-  const boost::function<bool(std_srvs::Trigger::Request&, std_srvs::Trigger::Response&)> hang = [&](std_srvs::Trigger::Request&, std_srvs::Trigger::Response&)
+  const boost::function<bool(std_srvs::Trigger::Request&, std_srvs::Trigger::Response&)> hang =
+      [&](std_srvs::Trigger::Request&, std_srvs::Trigger::Response&)
   {
     ++calls;
     while (!over) std::this_thread::sleep_for(std::chrono::milliseconds(10));

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Which field of the messages each reading, limit and flag of the console comes from.
 #include <gtest/gtest.h>
 
@@ -34,14 +35,14 @@ RigState tared()
 
 TEST(Messages, AFlagIsTheFieldOfItsKey)
 {
-#define EXPECT_FLAG_OF(field, owner)                                        \
-  {                                                                         \
-    RigState state;                                                         \
-    RigTruth truth;                                                         \
-    owner.field = true;                                                     \
-    Flags expected;                                                         \
-    expected.set(static_cast<std::size_t>(Flag::field));                    \
-    EXPECT_EQ(expected, flags_of(state, &truth)) << #field;                 \
+#define EXPECT_FLAG_OF(field, owner)                                              \
+  {                                                                               \
+    RigState state;                                                               \
+    RigTruth truth;                                                               \
+    owner.field = true;                                                           \
+    Flags expected;                                                               \
+    expected.set(static_cast<std::size_t>(Flag::field));                          \
+    EXPECT_EQ(expected, flags_of(state, &truth)) << #field;                       \
     EXPECT_STREQ(#field, flag_rows()[static_cast<std::size_t>(Flag::field)].key); \
   }
 #define EXPECT_FLAG(field) EXPECT_FLAG_OF(field, state)
@@ -122,12 +123,10 @@ TEST(Messages, OffBottomThereIsNoSpecificEnergy)
 TEST(Messages, LostGauges)
 {
   RigState s = tared();
-  const std::pair<unsigned, Quantity> gauges[] = {{RigState::HOOK_LOAD, Quantity::hook_load},
-                                                  {RigState::DEAD_LINE_HOOK_LOAD, Quantity::dead_line_hook_load},
-                                                  {RigState::TORQUE, Quantity::torque},
-                                                  {RigState::STAND_PIPE_PRESSURE, Quantity::stand_pipe_pressure},
-                                                  {RigState::FLOW, Quantity::flow},
-                                                  {RigState::BLOCK_HEIGHT, Quantity::block_height}};
+  const std::pair<unsigned, Quantity> gauges[] = {
+      {RigState::HOOK_LOAD, Quantity::hook_load}, {RigState::DEAD_LINE_HOOK_LOAD, Quantity::dead_line_hook_load},
+      {RigState::TORQUE, Quantity::torque},       {RigState::STAND_PIPE_PRESSURE, Quantity::stand_pipe_pressure},
+      {RigState::FLOW, Quantity::flow},           {RigState::BLOCK_HEIGHT, Quantity::block_height}};
   for (const auto& [bit, quantity] : gauges)
   {
     s.lost_gauges = bit;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What the driller's console shows of a running rig: gauges, units, truth, warnings, chart.
 #include <QFileDialog>
 #include <QListWidget>
@@ -17,11 +18,15 @@ using drill_rig_sim::RigState;
 
 namespace
 {
-const char* const all_gauges[] = {
-    "hook_load", "surface_wob", "torque",       "top_drive_speed", "rop",     "stand_pipe_pressure", "differential_pressure", "flow",
-    "bit_depth", "hole_depth",  "block_height", "inclination",     "azimuth", "toolface",            "stick_slip",            "specific_energy"};
+const char* const all_gauges[] = {"hook_load",           "surface_wob",           "torque",  "top_drive_speed", "rop",
+                                  "stand_pipe_pressure", "differential_pressure", "flow",    "bit_depth",       "hole_depth",
+                                  "block_height",        "inclination",           "azimuth", "toolface",        "stick_slip",
+                                  "specific_energy"};
 
-double number(const QString& text) { return text.section(' ', 0, 0).toDouble(); }
+double number(const QString& text)
+{
+  return text.section(' ', 0, 0).toDouble();
+}
 
 // Rotates, pumps, tares, and begins to lower the bit.
 void drill(Console& console)
@@ -54,10 +59,7 @@ QStringList unfilled(Console& console)
 class Readings : public ::testing::Test
 {
 protected:
-  Readings()
-  {
-    shared_rig();
-  }
+  Readings() { shared_rig(); }
 };
 
 TEST_F(Readings, EveryGaugeIsFilledWhileTheRigDrills)
@@ -69,13 +71,16 @@ TEST_F(Readings, EveryGaugeIsFilledWhileTheRigDrills)
   set_speed("drilled", 8.0);
   drill(console);
   Listener<RigState> states("rig_state", "drilled");
-  ASSERT_TRUE(wait_until([&] { return !states.all().empty() && states.all().back()->rop > 3e-3 && states.all().back()->surface_wob > 1e3; }));
+  ASSERT_TRUE(wait_until(
+      [&] { return !states.all().empty() && states.all().back()->rop > 3e-3 && states.all().back()->surface_wob > 1e3; }));
   EXPECT_TRUE(wait_until([&] { return states.all().back()->hole_depth > 200.4; }));  // some samples against depth
   set_speed("drilled", 1.0);
   EXPECT_TRUE(wait_until([&] { return unfilled(console).isEmpty(); })) << unfilled(console).join("; ").toStdString();
   console.window().grab().save(out_folder() + "/console_1920x1080_drilling.png");
-  ASSERT_TRUE(wait_until([&] { return std::abs(number(console.shows("gauge hole_depth")) - states.all().back()->hole_depth) < 0.02; }, 5.0));
-  EXPECT_TRUE(wait_until([&] { return std::abs(number(console.shows("gauge block_height")) - states.all().back()->block_height) < 0.05; }, 5.0));
+  ASSERT_TRUE(wait_until(
+      [&] { return std::abs(number(console.shows("gauge hole_depth")) - states.all().back()->hole_depth) < 0.02; }, 5.0));
+  EXPECT_TRUE(wait_until(
+      [&] { return std::abs(number(console.shows("gauge block_height")) - states.all().back()->block_height) < 0.05; }, 5.0));
 
   for (int n = 0; n < 2; ++n)  // the first is as narrow as gauges and pages side by side can be
   {
@@ -112,14 +117,16 @@ TEST_F(Readings, UnitsAreSwitchedEverywhere)
   console.choose("settings units", "SI");
   console.open_page(0);
   EXPECT_TRUE(wait_until([&] { return console.shows("gauge hook_load").contains("kN"); }));
-  EXPECT_EQ("0.010 m/s", console.get<QAbstractSpinBox>("winch speed")->text().toStdString()) << "there and back nothing is rounded";
+  EXPECT_EQ("0.010 m/s", console.get<QAbstractSpinBox>("winch speed")->text().toStdString())
+      << "there and back nothing is rounded";
 }
 
 TEST_F(Readings, MeasuredErrorsStandBehindTheNumbers)
 {
   Console console;
   ASSERT_TRUE(console.is_in_state("RUNNING"));
-  ros::Publisher publisher = ros::NodeHandle("/" + std::string(shared_name)).advertise<Accuracy>("accuracy", 1);  // the rig has no companion
+  ros::Publisher publisher =
+      ros::NodeHandle("/" + std::string(shared_name)).advertise<Accuracy>("accuracy", 1);  // the rig has no companion
   Accuracy accuracy;
   accuracy.outputs = {"hook_load", "wob", "bit_speed"};
   accuracy.absolute = {1234.0, 500.0, 1.0};
@@ -133,7 +140,8 @@ TEST_F(Readings, MeasuredErrorsStandBehindTheNumbers)
   console.window().grab().save(out_folder() + "/console_error.png");
   console.choose("settings units", "oilfield");
   console.open_page(0);
-  EXPECT_TRUE(wait_until([&] { return shows(QString::fromUtf8("klbf ±0.3")); })) << console.shows("gauge hook_load").toStdString();
+  EXPECT_TRUE(wait_until([&] { return shows(QString::fromUtf8("klbf ±0.3")); }))
+      << console.shows("gauge hook_load").toStdString();
   accuracy.absolute[0] = std::nan("");
   EXPECT_TRUE(wait_until([&] { return shows("klbf"); })) << console.shows("gauge hook_load").toStdString();
 }
@@ -171,8 +179,10 @@ TEST_F(Readings, WarningsAreAList)
       if (list->item(n)->text().contains(text)) return true;
     return false;
   };
-  const auto logged = [&](const QString& text) { return !console.get<QListWidget>("event log")->findItems(text, Qt::MatchContains).isEmpty(); };
-  EXPECT_TRUE(wait_until([&] { return console.get("accuracy")->toolTip().contains("numerics."); })) << "why, from the diagnostics";
+  const auto logged = [&](const QString& text)
+  { return !console.get<QListWidget>("event log")->findItems(text, Qt::MatchContains).isEmpty(); };
+  EXPECT_TRUE(wait_until([&] { return console.get("accuracy")->toolTip().contains("numerics."); }))
+      << "why, from the diagnostics";
   EXPECT_FALSE(has("numerics.")) << "the simulation's accuracy stands apart from the rig's warnings";
   console.click("winch set brake");
   EXPECT_TRUE(wait_until([&] { return has("drawworks brake set"); }));
@@ -182,7 +192,8 @@ TEST_F(Readings, WarningsAreAList)
   EXPECT_TRUE(wait_until([&] { return has("fault: pump trip") && logged("fault: pump trip"); })) << "faults under way are listed";
   EXPECT_TRUE(wait_until([&] { return console.get<QLabel>("gravest warning")->text().contains("pump tripped"); }));
   ASSERT_TRUE(console.asks("fault end", "inject_fault: "));
-  EXPECT_TRUE(wait_until([&] { return has("pump tripped: no flow until a flow of 0 is commanded (over: "); })) << "an alarm stays until it is acknowledged";
+  EXPECT_TRUE(wait_until([&] { return has("pump tripped: no flow until a flow of 0 is commanded (over: "); }))
+      << "an alarm stays until it is acknowledged";
   EXPECT_TRUE(wait_until([&] { return !has("fault: "); }));
   EXPECT_TRUE(logged("over: fault: pump trip"));
   console.window().grab().save(out_folder() + "/console_latched.png");
@@ -204,7 +215,8 @@ TEST_F(Readings, APullIsNotShownAsAWeight)
   console.type("winch speed", "0.02");
   console.open_page_of("winch raise");
   QTest::mousePress(console.get("winch raise"), Qt::LeftButton);
-  EXPECT_TRUE(wait_until([&] { return console.shows("watch surface_wob").startsWith("over-pull "); })) << console.shows("watch surface_wob").toStdString();
+  EXPECT_TRUE(wait_until([&] { return console.shows("watch surface_wob").startsWith("over-pull "); }))
+      << console.shows("watch surface_wob").toStdString();
   EXPECT_TRUE(console.shows("watch surface_wob").contains("caution"));
   EXPECT_GT(console.shows("watch surface_wob").section(' ', 1, 1).toDouble(), 0.0);
   console.window().grab().save(out_folder() + "/console_over_pull.png");
@@ -224,10 +236,12 @@ TEST_F(Readings, AlarmsOfOnesOwn)
   table->item(0, 2)->setText(QString::number(1.05 * load));
   EXPECT_TRUE(wait_until([&] { return console.shows("gauge hook_load").contains("caution"); }));
   table->item(0, 2)->setText("much");
-  EXPECT_EQ(QString::number(1.05 * load, 'f', 1).toStdString(), table->item(0, 2)->text().toStdString()) << "what is no number changes nothing";
+  EXPECT_EQ(QString::number(1.05 * load, 'f', 1).toStdString(), table->item(0, 2)->text().toStdString())
+      << "what is no number changes nothing";
   table->item(0, 2)->setText("");
   EXPECT_TRUE(wait_until([&] { return !console.shows("gauge hook_load").contains("caution"); }));
-  EXPECT_TRUE(wait_until([&] { return table->item(0, 1)->text() == "450.0"; })) << "the rig's, from rig_limits: " << table->item(0, 1)->text().toStdString();
+  EXPECT_TRUE(wait_until([&] { return table->item(0, 1)->text() == "450.0"; }))
+      << "the rig's, from rig_limits: " << table->item(0, 1)->text().toStdString();
 }
 
 TEST_F(Readings, FindsTheRigsThereAre)
@@ -266,7 +280,8 @@ TEST_F(Chart, AnyValuesAgainstTimeOrDepth)
   Console console;
   ASSERT_TRUE(console.is_in_state("RUNNING"));
   console.open_page_of("chart axis");
-  ASSERT_TRUE(wait_until([&] { return console.shows("chart span").section(", ", 1).section(' ', 0, 0).toInt() > 10; })) << "samples come";
+  ASSERT_TRUE(wait_until([&] { return console.shows("chart span").section(", ", 1).section(' ', 0, 0).toInt() > 10; }))
+      << "samples come";
   auto* menu = console.get<QMenu>("chart values menu");
   menu->findChild<QAction*>("ecd")->trigger();
   EXPECT_NE(nullptr, console.get("chart ecd"));
@@ -321,7 +336,8 @@ TEST_F(Chart, TimeDownwardsAndFixedScales)
   console.window().grab().save(out_folder() + "/console_chart_down.png");
   wait_for(0.5);
   fix("0", "10");
-  EXPECT_TRUE(wait_until([&] { return console.shows("chart value hook_load").contains(QString::fromUtf8("▲")); })) << "beyond a scale is not left out unsaid";
+  EXPECT_TRUE(wait_until([&] { return console.shows("chart value hook_load").contains(QString::fromUtf8("▲")); }))
+      << "beyond a scale is not left out unsaid";
   EXPECT_TRUE(wait_until([&] { return curve() < 20; })) << curve();
 }
 
@@ -341,7 +357,8 @@ TEST_F(Chart, PauseZoomCursor)
     if (w->inherits("QwtPlotCanvas")) canvas = w;
   ASSERT_NE(nullptr, canvas);
   const QPoint middle = canvas->rect().center();
-  QWheelEvent wheel(middle, canvas->mapToGlobal(middle), QPoint(), QPoint(0, 120), Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
+  QWheelEvent wheel(middle, canvas->mapToGlobal(middle), QPoint(), QPoint(0, 120), Qt::NoButton, Qt::NoModifier,
+                    Qt::NoScrollPhase, false);
   QApplication::sendEvent(canvas, &wheel);
   EXPECT_NEAR(0.4 * before, span(), 1e-3);
   QMouseEvent move(QEvent::MouseMove, middle, Qt::NoButton, Qt::NoButton, Qt::NoModifier);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Slack-off until the string buckles and coils, and pick-up until it hangs straight again: twice through the singular tangent.
 #include <algorithm>
 #include <cmath>

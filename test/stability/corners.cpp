@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The default in the corners of the promised range, where all axes are at an end together.
 #include "jobs.h"
 #include "tumble.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A day of slow drilling: nothing grows that must not.
 #include <unistd.h>
 

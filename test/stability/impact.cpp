@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The bit runs onto hard rock at 2 m/s.
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Why the reference is not integrated as a DAE of index 3: a pendulum with its joint's multiplier, by the reference's own bodies
 // and IDA with steps of one size. In index 3 (the constraint on positions alone) an error e that Newton's method leaves in a
 // position reaches the multiplier as e/h^2; in the stabilised index 2 of Gear, Gupta and Leimkuhler (1985), which is the

@@ -1,4 +1,6 @@
-// Levels of the model, and steps of variable length, along the axes of the map: what is promised of the default's steps is promised of them.
+// SPDX-License-Identifier: BSD-3-Clause
+// Levels of the model, and steps of variable length, along the axes of the map: what is promised of the default's steps is
+// promised of them.
 #include "jobs.h"
 #include "tumble.h"
 
@@ -14,24 +16,24 @@ struct Axis
 
 /// Those of the map; the guided string has a mesh of its own, and no side to damp.
 const Axis kAxes[] = {
-    {"contact.stiffness", {1e5, 5e7, 1e10}},
-    {"contact.tangential_stiffness", {1e5, 1e9}},
-    {"contact.stribeck_speed", {1e-3, 1.0}},
-    {"numerics.element_length", {2.0, 9.5}},
+    {"contact.stiffness", {1e5, 5e7, 1e10}}, {"contact.tangential_stiffness", {1e5, 1e9}},
+    {"contact.stribeck_speed", {1e-3, 1.0}}, {"numerics.element_length", {2.0, 9.5}},
     {"mud.lateral_damping", {0.0, 2e4}},
 };
 
 struct Kind
 {
   const char* name;
-  std::vector<std::string> level;  ///< settings; none: beam3d, which is thrown. A guided string has no way across the hole: it is lowered and turned alone
+  std::vector<std::string> level;  ///< settings; none: beam3d, which is thrown. A guided string has no way across the hole: it is
+                                   ///< lowered and turned alone
   std::vector<std::string> steps;  ///< settings
   bool fast;
 };
 
 const std::vector<Kind>& kinds()
 {
-  static const std::vector<std::string> hybrid{"numerics.level=hybrid", "numerics.free_length=30"}, guided{"numerics.level=axial_torsional"};
+  static const std::vector<std::string> hybrid{"numerics.level=hybrid", "numerics.free_length=30"},
+      guided{"numerics.level=axial_torsional"};
   static const std::vector<Kind> table = {
       {"beam3d with steps variable by 5 %", {}, {"numerics.step=0", "numerics.tolerance=0.05"}, false},
       {"beam3d with steps variable by 1 %", {}, {"numerics.step=0", "numerics.tolerance=0.01"}, true},
@@ -78,7 +80,8 @@ void add_level_jobs(bool fast, std::vector<Job>& jobs)
     for (double value : axis.values)
     {
       if (fast && value != 5e7) continue;
-      jobs.push_back({text("levels/%s/%g", axis.key, value), [&axis, value, fast](Rows& rows) { run_level(axis, value, fast, rows); }});
+      jobs.push_back(
+          {text("levels/%s/%g", axis.key, value), [&axis, value, fast](Rows& rows) { run_level(axis, value, fast, rows); }});
     }
 }
 

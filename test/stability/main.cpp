@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The program behind ./test/stability/run: runs jobs and prints their rows as CSV.
 #include <cstdio>
 #include <cstring>
@@ -13,8 +14,8 @@ std::vector<Job> all_jobs(bool fast)
 {
   // the longest first, so that none is left alone at the end
   std::vector<Job> jobs;
-  for (auto add : {add_day_jobs, add_turn_jobs, add_sticking_jobs, add_map_jobs, add_level_jobs, add_corner_jobs, add_buckling_jobs,
-                   add_impact_jobs, add_well_jobs, add_index3_jobs, add_outside_jobs})
+  for (auto add : {add_day_jobs, add_turn_jobs, add_sticking_jobs, add_map_jobs, add_level_jobs, add_corner_jobs,
+                   add_buckling_jobs, add_impact_jobs, add_well_jobs, add_index3_jobs, add_outside_jobs})
     add(fast, jobs);
   return jobs;
 }

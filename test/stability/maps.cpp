@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The largest stable step of each method, and of each element, along five axes; and the default at the shortest steps promised.
 #include <cstdio>
 
@@ -49,7 +50,8 @@ std::vector<std::string> settings_for(const Axis& axis, double value)
   return settings;
 }
 
-/// From the longest step down: the first that passes and whose next shorter one passes too, and of those tried below it none fails.
+/// From the longest step down: the first that passes and whose next shorter one passes too, and of those tried below it none
+/// fails.
 Row map_point(const Axis& axis, double value, const Choice& choice, const TumbleReference& reference)
 {
   Row row;
@@ -155,8 +157,8 @@ void add_map_jobs(bool fast, std::vector<Job>& jobs)
           {text("map/%s/%g", axis.name, value), [&axis, value, fast](Rows& rows) { run_point(axis, value, fast, rows); }});
       const bool dear = axis.key == std::string("numerics.element_length") && value < 2.0;
       if (is_promised(axis, value) && !(fast && dear))
-        jobs.push_back(
-            {text("short_steps/%s/%g", axis.name, value), [&axis, value, fast](Rows& rows) { run_short_steps(axis, value, fast, rows); }});
+        jobs.push_back({text("short_steps/%s/%g", axis.name, value),
+                        [&axis, value, fast](Rows& rows) { run_short_steps(axis, value, fast, rows); }});
     }
 }
 

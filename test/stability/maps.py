@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The pictures of the stability map: largest stable step along each axis, a curve a method."""
 import os
 

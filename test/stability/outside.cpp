@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Outside the promised range: refused with a line, or stopped with a message, or still right within bounds; never garbage.
 #include <cmath>
 

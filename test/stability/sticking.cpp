@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Pipe that friction holds on a slope stays where it is.
 #include <algorithm>
 #include <cmath>

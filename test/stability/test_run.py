@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """What ./test/stability/run says of jobs that break off, are not there or are left out. A small program takes the cases' place."""
 import os
 import subprocess

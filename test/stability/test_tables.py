@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """The committed tables have the columns, row names and wording that tables.py writes today; their figures are not looked at."""
 import glob
 import os

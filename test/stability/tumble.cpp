@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "tumble.h"
 
 #include <algorithm>
@@ -71,7 +72,8 @@ void judge(const TumbleReference& reference, Tumble& run)
     turn = std::min(turn, std::abs(end.bit_turned - other.samples.back().bit_turned));
   }
   const double bound = 2.0 * fastest + 0.05;
-  // of four alike in their bounces one in two is the first or last: what three differ by among themselves is allowed beyond them too
+  // of four alike in their bounces one in two is the first or last: what three differ by among themselves is allowed beyond them
+  // too
   const double torque_allowed = 0.1 * std::abs(torque.nearest(mine.torque)) + 20.0 + (torque.high - torque.low);
   const bool right = mine.fastest <= bound && off <= 0.05 && turn <= 0.5 &&
                      load.outside(mine.string_load) <= 0.05 * reference.runs.front().load_at_rest &&

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_STABILITY_TUMBLE_H
 #define DRILL_RIG_SIM_STABILITY_TUMBLE_H
 
@@ -36,7 +37,8 @@ extern const TumbleKind lowered_and_turned;
 /// A step that is left to the scene.
 constexpr double as_the_scene_says = 0.0;
 
-/// Small-step runs of the default method and element, at 2e-4 s; in the fast subset those thrown at another speed than the run take 1e-3 s.
+/// Small-step runs of the default method and element, at 2e-4 s; in the fast subset those thrown at another speed than the run
+/// take 1e-3 s.
 struct TumbleReference
 {
   TumbleKind kind;

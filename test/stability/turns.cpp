@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Many turns of the top drive, and one full turn with each element.
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Shapes of hole where angles lose their meaning: vertical with any azimuth, doglegs near 0 and 180 deg, horizontal and beyond.
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """A test with a folder of its own for the files that it writes."""
 import os
 import tempfile

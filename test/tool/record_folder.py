@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """What the tests of records share: a folder for files, rows that are right, and refusals of one line."""
 import os
 

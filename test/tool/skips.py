@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Runs a file's unittests so that a skipped one shows: unittest alone ends with 0, as if it had passed."""
 import sys
 import unittest

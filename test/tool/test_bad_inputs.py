@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Inputs that were handled badly once, found by fuzzing: each is refused in one line, solved, or ended by a bound that names itself, within
 10 s of processor time and 1 GB of memory. Usage: test_bad_inputs.py PATH_TO_DRILL [--instrumented]: without these bounds, which are not
 for sanitizers: they map far more than they use"""

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """What launch/build.sh shows of a build, what it leaves out, and how it ends. cmake and make are programs that compile nothing."""
 import os
 import pty

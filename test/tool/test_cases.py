@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Inputs from outside that went wrong once (test/cases), by kind, each with the command of its README and the value that is right.
 Variants of each kind stand in the tests of its reader. Usage: test_cases.py PATH_TO_DRILL"""
 import csv

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """catkin_lint has nothing to say about the package but what cannot be otherwise, each with its reason here. Status 77: not installed."""
 import re
 import shutil

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """The offline runner's command line: what is refused and in which words, and what is taken. Usage: test_command_line.py PATH_TO_DRILL"""
 import json
 import os

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Scores and pictures beside a companion, of made-up runs whose difference to it is known. From an environment that finds drill_rig_sim."""
 import math
 import sys

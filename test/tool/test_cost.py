@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """What the simulator costs. Usage: test_cost.py PATH_TO_DRILL SUMMARY_OF_THE_MAIN_JOB"""
 import json
 import os

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """How ./launch/demo ends. What it builds and launches is taken by programs that do nothing."""
 import os
 import shutil

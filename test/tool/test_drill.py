@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """The offline runner from outside: exit statuses, one-line messages, files. Usage: test_drill.py PATH_TO_DRILL"""
 import csv
 import glob

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """`drill run --bag`: topics, types and stamps are the node's, the numbers those of the time series. Usage: test_drill_bag.py PATH_TO_DRILL, from
 an environment that finds drill_rig_sim."""
 import csv

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """`drill run --errors` and the bag of a run with a companion, and what `drill score` and `drill plot` make of them.
 Usage: test_drill_errors.py PATH_TO_DRILL, from an environment that finds drill_rig_sim."""
 import csv

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """`drill modes` from outside: its table, its file, what it refuses. Usage: test_drill_modes.py PATH_TO_DRILL"""
 import json
 import os

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """The runner's units: settings that carry one, and `--units` of the commands that print.
 
 Usage: test_drill_units.py PATH_TO_DRILL

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """The numbers that the offline runner prints, against sums by hand. Usage: test_drill_values.py PATH_TO_DRILL"""
 import csv
 import math

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """`drill verify`: of scenes and bags, and the scores beside it. Usage: test_drill_verify.py PATH_TO_DRILL, from an environment that finds drill_rig_sim."""
 import json
 import math

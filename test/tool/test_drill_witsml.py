@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """`drill run --witsml`: a log of WITSML 1.4.1.1 that holds what the time series' readings hold; against the standard's schema where that and lxml are there.
 Usage: test_drill_witsml.py PATH_TO_DRILL"""
 import csv

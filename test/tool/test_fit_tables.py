@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Tables of weights for drill calibrate, as people keep them: read with the right numbers, or refused in one line by file, row and column."""
 import importlib.util
 import sys

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """drill fmu: an FMU of a scene by an importer that follows the text of FMI 2.0, beside the same rig in this process. Usage: test_fmu.py PATH_TO_DRILL"""
 import ctypes
 import os

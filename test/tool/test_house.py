@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """What test/house/run sees, on small texts: includes against the order of the rooms, and what is too long. Needs no compiler."""
 import os
 import subprocess
@@ -11,6 +12,7 @@ sys.dont_write_bytecode = True
 sys.path[:0] = [os.path.join(SOURCE, 'test/house'), os.path.join(SOURCE, 'test/mutation')]
 import includes  # noqa: E402
 import laws  # noqa: E402
+import licence  # noqa: E402
 import sizes  # noqa: E402
 import words  # noqa: E402
 
@@ -132,6 +134,10 @@ class Lengths(unittest.TestCase):
             self.assertEqual(['%s:1: 401 lines, allowed: 400 in a file' % file], sizes.faults({file: '\n' * 401}))
         self.assertEqual(1, len(sizes.faults({'msg/A.msg': '\n' * 400 + 'last'})))
 
+    def test_lines(self):
+        self.assertEqual([], sizes.faults({'src/math/a.cpp': '\n' + '/' * 130 + '\n', 'test/a.py': '#' * 131}))
+        self.assertEqual(['src/math/a.h:2: 131 columns, allowed: 130 in a line'], sizes.faults({'src/math/a.h': '\n' + '/' * 131}))
+
     def test_functions(self):
         self.assertEqual([], sizes.faults({'src/math/a.cpp': body(60)}))
         self.assertEqual(['src/math/a.cpp:2: f: 61 lines, allowed: 60 in a function'], sizes.faults({'src/math/a.cpp': '\n' + body(61)}))
@@ -195,6 +201,16 @@ class Laws(unittest.TestCase):
 
     def test_a_law_that_is_written_otherwise_is_told(self):
         self.assertIn('Stribeck curve stands nowhere', laws.faults({})[0])
+
+
+class Licence(unittest.TestCase):
+    def test_each_source_names_it(self):
+        for file, text, first in (('src/sim/a.cpp', 'int a;\n', '// SPDX'), ('test/a.py', '#!/usr/bin/python3\nA = 1\n', '#!'), ('launch/demo', '#!/bin/bash\n', '#!'), ('src/a.py', '', '# SPDX')):
+            self.assertEqual(1, len(licence.faults({file: text})), file)
+            whole = licence.with_line(file, text)
+            self.assertTrue(whole.startswith(first), whole)
+            self.assertEqual([], licence.faults({file: whole}))
+        self.assertEqual([], licence.faults({'msg/A.msg': '', 'config/a.yaml': 'a: 1\n'}))
 
 
 class Words(unittest.TestCase):

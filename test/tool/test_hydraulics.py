@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Pump and mud as a controller meets them: ramp, strokes, pressure that is late by the pipe's volume, peaks of the gel, losses, relief valve, ECD, the motor's
 pressure, a pump that trips. Against closed forms of test/scenes/hydraulics.yaml."""
 import math

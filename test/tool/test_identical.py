@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """What test/identical/run holds for different, and how it ends. Needs no program."""
 import importlib.machinery
 import importlib.util

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """`cmake --install` into any folder leaves a rig that works from there, and writes nowhere else. rosrun and a package that depends on this one find
 the rig there and in the devel space. Usage: test_install.py BUILD_FOLDER."""
 import os

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """How roslaunch ends with a controller: quietly where the law has reached its goal, as a node that died where it has not."""
 import os
 import re

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Control laws and their parts without a rig: what they are made of against closed forms. With a rig: test/laws."""
 import math
 import os

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Bags of version 0.2: migrate_bag makes RigState and RigTruth of their RigState, rosbag's own rule a RigState; drill score reads them as they are."""
 import math
 import os

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """test/minutes/run: phases and tests by what the commands print, of this version and of 0.2.0."""
 import importlib.machinery
 import importlib.util

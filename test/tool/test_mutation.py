@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """The faults that test/mutation/run tries: found in code alone, drawn by the seed, counted rightly. Needs no compiler."""
 import os
 import subprocess
@@ -183,6 +184,14 @@ class Score(unittest.TestCase):
         with open(self.path + '.md', 'w') as file:
             file.write('# Title\n\n%s\n' % line.replace('REASON', 'why not'))
         self.assertEqual(score.read_argued(self.path + '.md'), [('src/well/a.cpp', 'a + b;', 'a - b;', 'why not')])
+
+    def test_what_is_argued_is_a_fault_of_the_sources(self):
+        faults = {}
+        for file, before, after, _ in score.read_argued(os.path.join(SOURCE, 'test/mutation/argued.md')):
+            if file not in faults:
+                with open(os.path.join(SOURCE, file), encoding='utf-8') as source:
+                    faults[file] = {(m.before, m.after) for m in mutants.find(file, source.read())}
+            self.assertIn((before, after), faults[file], file)
 
 
 class Usage(unittest.TestCase):

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """package.xml: what a robot without a screen (DRILL_RIG_SIM_HEADLESS=1) does not need, and everybody else does."""
 import os
 import unittest

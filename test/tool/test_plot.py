@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """drill plot, but for the runner in front of it: what is drawn of a run, that the page needs nothing else, and what is refused."""
 import io
 import math

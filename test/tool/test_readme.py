@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Every README of the package tells what is there: its blocks equal what commands print and files hold, its links, paths and commands
 lead somewhere, and together they name the whole interface, every room and every picture.
 

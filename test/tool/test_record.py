@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Records of rigs are read as they are published: delimited tables here, WITSML and LAS in test_record_logs.py; and what is wrong in them is refused or reported by file, row and column.
 The kinds are those of test/cases, each with variants."""
 import datetime

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Records that change on the way: a unit from a row on, a header that stands again, an index that is not what it is called. See test_record.py."""
 import unittest
 

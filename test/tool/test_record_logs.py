@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Records of rigs as logs of WITSML and LAS: what such a file says of itself is obeyed or refused. See test_record.py."""
 import math
 import os

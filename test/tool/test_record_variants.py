@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Records as data systems, mud loggers and spreadsheets export them: each of these small files is read with the right numbers, or refused in one line. See test_record.py."""
 import datetime
 import time

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """drill replay, but for the runner in front of it: records are read as they are, a record that the simulator made comes back, what cannot be played is told."""
 import io
 import itertools

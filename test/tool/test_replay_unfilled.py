@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """drill replay of a string that is run in without being filled (mud.fill), against a record worked out by hand."""
 import math
 import os

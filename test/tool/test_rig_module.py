@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """The Python module drill_rig_sim.rig against a stand-in of the node: which requests it makes, and when. The real one: test/rostest/rig_module.test"""
 import copy
 import unittest

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Time series and strings as editors and spreadsheets leave them: drill score and drill plot read them by the rules of other tables, or refuse them by file, row and column.
 Usage: test_run_files.py PATH_TO_DRILL"""
 import json

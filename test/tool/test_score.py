@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Scores of made-up runs that are known in closed form. Usage: test_score.py [PATH_TO_DRILL], from an environment that finds drill_rig_sim."""
 import contextlib
 import csv

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """The Python module drill_rig_sim.sim: a rig in this process. That it reads as a node's does: test/rostest/three_ways.test"""
 import copy
 import os

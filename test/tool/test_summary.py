@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """What was skipped is not taken for passed: by skips.main(), and by test/summary.py."""
 import os
 import subprocess

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Surveys and texts from outside, by the runner and by Python: the same answer everywhere. Usage: test_survey.py PATH_TO_DRILL"""
 import logging
 import os

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """What other languages need of the lists in include/drill_rig_sim stands in their files as `drill reference --of` prints it, and the constants of
 messages follow the lists.
 
@@ -13,7 +14,8 @@ import unittest
 SOURCE = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 FILES = {"RigState.msg": "msg/RigState.msg", "RigTruth.msg": "msg/RigTruth.msg", "tables.py": "src/python/tables.py"}
 FLAGS_FILE = "src/python/web/flags.py"
-FLAGS_HEAD = '''"""What a flag means to a driller, and its rank: red is latched until it is acknowledged. Written by test/tool/test_tables.py from the table of
+FLAGS_HEAD = '''# SPDX-License-Identifier: BSD-3-Clause
+"""What a flag means to a driller, and its rank: red is latched until it is acknowledged. Written by test/tool/test_tables.py from the table of
 src/rviz/console/flags.cpp."""
 FLAGS = {
 '''

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """config/scenes/template.yaml has every key of a scene once in its place, with what `drill reference` says of it, and is a valid scene.
 
 Usage: test_template.py PATH_TO_DRILL [--write]; with --write, fills in the lines that begin with ## instead.

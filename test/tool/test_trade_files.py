@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Small files as data systems of the trade write them, each with known values: they are read right, or refused in one line. Kinds are in test_record_variants.py and test_survey.py."""
 import datetime
 import math

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Units: those of a scene's numbers as Python sees them, and those that commands show numbers in, against C++'s and each other."""
 import math
 import os

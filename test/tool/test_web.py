@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """What `drill web` makes of messages: logs that keep peaks, alarms that stay, activity, sheets, what pages may ask for. No master, no browser."""
 import asyncio
 import io

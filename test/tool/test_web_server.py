@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """The server of `drill web`: who may open the page and its socket, what it sends, what happens when a page falls silent. No master, no browser."""
 import asyncio
 import json

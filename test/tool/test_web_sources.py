@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Bags and time series as sources of `drill web`, and the page as one file with a run inside. No master, no browser."""
 import json
 import os

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """WITS level 0: records of known values, and a server whose clients are slow, deaf, loud or gone. Needs no node."""
 import math
 import socket

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_TEST_BEAM_CHAIN_H
 #define DRILL_RIG_SIM_TEST_BEAM_CHAIN_H
 
@@ -145,8 +146,13 @@ private:
     const Node& b = nodes[e + 1];
     const Eigen::Quaterniond qa = a.orientation * element.upper, qb = b.orientation * element.lower;
     const Eigen::Quaterniond ground(attitude);
-    const BeamPose pose{attitude * a.position, attitude * b.position, attitude * x_axis(qa), attitude * x_axis(qb),
-                        twist_between(qa, qb),  ground * qa,          ground * qb};
+    const BeamPose pose{attitude * a.position,
+                        attitude * b.position,
+                        attitude * x_axis(qa),
+                        attitude * x_axis(qb),
+                        twist_between(qa, qb),
+                        ground * qa,
+                        ground * qb};
     BeamStrain strain;
     BeamTangent t;
     BeamForces f = kind->forces_and_tangent(element.section, pose, {}, attitude * element.load, strain, t);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_TEST_BEAM_ENDS_H
 #define DRILL_RIG_SIM_TEST_BEAM_ENDS_H
 
@@ -55,7 +56,8 @@ inline BeamEnds turned(const BeamEnds& s, const Eigen::Quaterniond& q)
 }
 
 /// An element somewhere near the direction `common`, its ends tilted and twisted at random; common spin of many turns.
-inline BeamEnds random_ends(std::mt19937& generator, double length, double tilt, double twist, double spin, const Eigen::Quaterniond& common)
+inline BeamEnds random_ends(std::mt19937& generator, double length, double tilt, double twist, double spin,
+                            const Eigen::Quaterniond& common)
 {
   std::normal_distribution<double> g;
   BeamEnds s;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_TEST_BEAM_KINDS_H
 #define DRILL_RIG_SIM_TEST_BEAM_KINDS_H
 
@@ -27,8 +28,8 @@ inline Eigen::Vector3d vector_of(const Eigen::Matrix3d& rotation)
   return a.angle() * a.axis();
 }
 
-/// The rotation vector's section in the middle, and L times its curvature in its axes: by differences of the rotation itself, not by the
-/// formula for J.
+/// The rotation vector's section in the middle, and L times its curvature in its axes: by differences of the rotation itself, not
+/// by the formula for J.
 struct VectorMiddle
 {
   Eigen::Matrix3d section;
@@ -38,7 +39,8 @@ struct VectorMiddle
 inline VectorMiddle vector_middle(const BeamEnds& s)
 {
   const Eigen::Matrix3d ground(ground_axes());
-  const Eigen::Vector3d psi1 = vector_of(Eigen::Matrix3d(s.q1) * ground.transpose()), psi2 = vector_of(Eigen::Matrix3d(s.q2) * ground.transpose());
+  const Eigen::Vector3d psi1 = vector_of(Eigen::Matrix3d(s.q1) * ground.transpose()),
+                        psi2 = vector_of(Eigen::Matrix3d(s.q2) * ground.transpose());
   auto at = [&](double x)
   {
     const Eigen::Vector3d psi = psi1 + x * (psi2 - psi1);
@@ -46,7 +48,8 @@ inline VectorMiddle vector_middle(const BeamEnds& s)
   };
   const double h = 1e-3;
   // fourth order: (8 turn(h) - turn(2 h))/(12 h), turns from -h to h and from -2 h to 2 h
-  const Eigen::Vector3d near = vector_of(at(0.5 - h).transpose() * at(0.5 + h)), far = vector_of(at(0.5 - 2.0 * h).transpose() * at(0.5 + 2.0 * h));
+  const Eigen::Vector3d near = vector_of(at(0.5 - h).transpose() * at(0.5 + h)),
+                        far = vector_of(at(0.5 - 2.0 * h).transpose() * at(0.5 + 2.0 * h));
   return {at(0.5), (8.0 * near - far) / (12.0 * h)};
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_TEST_BEAM_PROBLEMS_H
 #define DRILL_RIG_SIM_TEST_BEAM_PROBLEMS_H
 
@@ -18,7 +19,8 @@ inline void load_in_steps(BeamChain& chain, int steps, const std::function<void(
   for (int k = 1; k <= steps; ++k)
   {
     set(chain, static_cast<double>(k) / steps);
-    if (!chain.solve()) throw std::runtime_error("no equilibrium at " + std::to_string(k) + "/" + std::to_string(steps) + " of the load");
+    if (!chain.solve())
+      throw std::runtime_error("no equilibrium at " + std::to_string(k) + "/" + std::to_string(steps) + " of the load");
   }
 }
 
@@ -97,8 +99,8 @@ inline int unstable_modes(BeamChain chain)
   return static_cast<int>((modes_of(tangent).values.array() < 0.0).count());
 }
 
-/// The load between `low` and `high` above which the chain has more than `modes` unstable ones, to 1e-6. `loaded` makes the chain in
-/// equilibrium.
+/// The load between `low` and `high` above which the chain has more than `modes` unstable ones, to 1e-6. `loaded` makes the chain
+/// in equilibrium.
 inline double critical_load(const std::function<BeamChain(double load)>& loaded, int modes, double low, double high)
 {
   while (high - low > 1e-6 * high)
@@ -114,9 +116,9 @@ struct StraightColumn
 {
   static constexpr double length = 10.0, bending = 1e6, axial = 1e13;
   std::array<bool, 6> foot, head;  ///< held; the head's axial motion is free
-  static constexpr std::array<bool, 6> clamped{{true, true, true, true, true, true}}, pinned{{true, true, true, true, false, false}},
-      guided{{false, true, true, true, true, true}}, sliding{{false, true, true, false, false, false}},
-      free{{false, false, false, false, false, false}};
+  static constexpr std::array<bool, 6> clamped{{true, true, true, true, true, true}},
+      pinned{{true, true, true, true, false, false}}, guided{{false, true, true, true, true, true}},
+      sliding{{false, true, true, false, false, false}}, free{{false, false, false, false, false, false}};
 
   BeamChain loaded(const BeamKind& kind, int count, double force) const
   {
@@ -131,8 +133,8 @@ struct StraightColumn
   }
 };
 
-/// A vertical pipe under its weight in a plane, hinged in the hole's bottom, which carries `weight`, and hinged at `above` over the neutral
-/// point. Along x, which points down.
+/// A vertical pipe under its weight in a plane, hinged in the hole's bottom, which carries `weight`, and hinged at `above` over
+/// the neutral point. Along x, which points down.
 struct HangingPipe
 {
   double bending = 1.0, axial = 1.0, linear_weight = 1.0;  ///< [N m2], [N], in mud [N/m]

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_TEST_EXPECTED_KEYS_H
 #define DRILL_RIG_SIM_TEST_EXPECTED_KEYS_H
 
@@ -30,7 +31,8 @@ inline std::vector<Expected> of_instruments()
   std::vector<Expected> all = {
       {"instruments.mwd", "period", [](const Scene& s) { return s.instruments.mwd.period; }, 32.0},
       {"instruments.mwd", "latency", [](const Scene& s) { return s.instruments.mwd.latency; }, 8.1},
-      {"instruments.mwd", "inclination_resolution_deg", [](const Scene& s) { return s.instruments.mwd.inclination_resolution; }, 0.13 * degree},
+      {"instruments.mwd", "inclination_resolution_deg", [](const Scene& s) { return s.instruments.mwd.inclination_resolution; },
+       0.13 * degree},
       {"instruments.mwd", "noise_deg", [](const Scene& s) { return s.instruments.mwd.noise; }, 0.06 * degree},
       {"instruments.mwd", "scribe_offset_deg", [](const Scene& s) { return s.instruments.mwd.scribe_offset; }, 17.0 * degree},
       {"instruments.dynamics", "period", [](const Scene& s) { return s.instruments.dynamics.period; }, 17.1},
@@ -43,12 +45,15 @@ inline std::vector<Expected> of_instruments()
       {"instruments.toolface", "max_speed_rpm", [](const Scene& s) { return s.instruments.toolface.max_speed; }, 12.1 * rpm},
       {"instruments.toolface", "period", [](const Scene& s) { return s.instruments.toolface.period; }, 10.1},
       {"instruments.toolface", "latency", [](const Scene& s) { return s.instruments.toolface.latency; }, 4.1},
-      {"instruments.surface.stand_pipe_pressure", "pump_noise", [](const Scene& s) { return s.instruments.stand_pipe_pressure.pump_noise; }, 0.031},
-      {"instruments.surface.hook_load", "place", [](const Scene& s) { return number(s.instruments.hook_load.place == HookLoadPlace::block); }, 1.0},
+      {"instruments.surface.stand_pipe_pressure", "pump_noise",
+       [](const Scene& s) { return s.instruments.stand_pipe_pressure.pump_noise; }, 0.031},
+      {"instruments.surface.hook_load", "place",
+       [](const Scene& s) { return number(s.instruments.hook_load.place == HookLoadPlace::block); }, 1.0},
   };
   using Get = std::function<const SensorSpec&(const Scene&)>;
   const std::pair<const char*, Get> gauges[] = {
-#define GAUGE(type, name, ...) {#name, [](const Scene& s) -> const SensorSpec& { return s.instruments.name; }},
+#define GAUGE(type, name, ...) \
+  {#name, [](const Scene& s) -> const SensorSpec& { return s.instruments.name; }},
 #include "drill_rig_sim/scene/signal_list.h"
   };
   const std::pair<const char*, double SensorSpec::*> keys[] = {{"noise", &SensorSpec::noise},
@@ -69,9 +74,10 @@ inline std::vector<Expected> of_instruments()
       const auto member = keys[k].second;
       const auto field = [get, member](const Scene& s) { return get(s).*member; };
       const double value = static_cast<double>(g + 1) + 0.1 * (k + 1);
-      const char* const own = g == static_cast<std::size_t>(Gauge::hook_load)             ? "instruments.surface.hook_load"
-                              : g == static_cast<std::size_t>(Gauge::stand_pipe_pressure) ? "instruments.surface.stand_pipe_pressure"
-                                                                                          : "instruments.surface.*";
+      const char* const own = g == static_cast<std::size_t>(Gauge::hook_load) ? "instruments.surface.hook_load"
+                              : g == static_cast<std::size_t>(Gauge::stand_pipe_pressure)
+                                  ? "instruments.surface.stand_pipe_pressure"
+                                  : "instruments.surface.*";
       all.push_back({own, keys[k].first, field, value});
       all.push_back({"instruments.surface", gauges[g].first, field, value});
     }

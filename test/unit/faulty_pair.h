@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_TEST_FAULTY_PAIR_H
 #define DRILL_RIG_SIM_TEST_FAULTY_PAIR_H
 
@@ -31,10 +32,12 @@ struct Pair
     double sum = 0.0;
     int count = 0;
     for (Simulator* rig : {&sound, &faulty})
-      play(*rig, 2.0, [&](const Truth& truth) {
-        sum += (rig == &faulty ? 1.0 : -1.0) * truth.*signal;
-        ++count;
-      });
+      play(*rig, 2.0,
+           [&](const Truth& truth)
+           {
+             sum += (rig == &faulty ? 1.0 : -1.0) * truth.*signal;
+             ++count;
+           });
     return 2.0 * sum / count;
   }
 };

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_TEST_IN_SLIPS_H
 #define DRILL_RIG_SIM_TEST_IN_SLIPS_H
 
@@ -19,7 +20,8 @@ namespace drill_rig_sim
 {
 constexpr double slips_frame = 0.01;  // [s]
 
-/// 200 m of pipe with two collars in a vertical hole without friction, whose waves die within seconds; the hook load is the string's and the block's.
+/// 200 m of pipe with two collars in a vertical hole without friction, whose waves die within seconds; the hook load is the
+/// string's and the block's.
 inline Scene slips_scene(Level level, double friction = 0.0)
 {
   Scene scene = vertical_scene(300.0, 200.0, friction);
@@ -103,7 +105,8 @@ inline void lay_into_slips(Simulator& rig)
 inline void take_from_slips(Simulator& rig)
 {
   rig.command(WinchSetpoint{0.02, false});
-  for (int k = 0; k < 6000 && rig.set_slips(false); ++k) ASSERT_EQ(play_frame(rig, nullptr, slips_frame), FrameStatus::running) << rig.failure();
+  for (int k = 0; k < 6000 && rig.set_slips(false); ++k)
+    ASSERT_EQ(play_frame(rig, nullptr, slips_frame), FrameStatus::running) << rig.failure();
   ASSERT_FALSE(rig.truth().in_slips);
   rig.command(WinchSetpoint{0.0, true});
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_TEST_INDEX_THREE_H
 #define DRILL_RIG_SIM_TEST_INDEX_THREE_H
 
@@ -63,8 +64,8 @@ inline DaeStepOutcome pendulum_with_step(double step, Formulation formulation, i
     out.reached = ida.advance(k * step, y, rate);
     if (!out.reached) break;
     const Eigen::Vector3d lambda(y[static_cast<std::size_t>(body.multipliers_at())],
-                          y[static_cast<std::size_t>(body.multipliers_at()) + 1],
-                          y[static_cast<std::size_t>(body.multipliers_at()) + 2]);
+                                 y[static_cast<std::size_t>(body.multipliers_at()) + 1],
+                                 y[static_cast<std::size_t>(body.multipliers_at()) + 2]);
     body.read(y.data());
     const double cosine = -body.motion(0).position.z() / body.motion(0).position.norm();
     // weight along the rod plus m l phi'^2, phi'^2 from the energy

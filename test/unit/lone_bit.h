@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_TEST_LONE_BIT_H
 #define DRILL_RIG_SIM_TEST_LONE_BIT_H
 
@@ -8,8 +9,8 @@
 #include "drill_rig_sim/solve/start.h"
 #include "test_scenes.h"
 
-/// A bit as the one thing that moves, so that every motion has a closed form: it hangs in a wide vertical hole on a single element of
-/// pipe, and every other node has inertia beyond measure. Nothing damps but what a test adds.
+/// A bit as the one thing that moves, so that every motion has a closed form: it hangs in a wide vertical hole on a single
+/// element of pipe, and every other node has inertia beyond measure. Nothing damps but what a test adds.
 namespace drill_rig_sim
 {
 inline Scene lone_bit_scene()
@@ -32,13 +33,15 @@ inline Scene weightless(Scene scene)
   return scene;
 }
 
-/// The scene's rig at rest, then with the bit's node and the pipe as `change` makes them. Weight stays what it was: inertia alone changes.
+/// The scene's rig at rest, then with the bit's node and the pipe as `change` makes them. Weight stays what it was: inertia alone
+/// changes.
 inline RigAtRest lone_bit(const Scene& scene, const std::function<void(MeshNode& bit, BeamSection& pipe)>& change)
 {
   RigAtRest rig = build_at_rest(scene);
   Mesh mesh = rig.model->mesh();
   change(mesh.nodes[0], mesh.elements[0].section);
-  for (std::size_t i = 1; i < mesh.nodes.size(); ++i) mesh.nodes[i].mass = mesh.nodes[i].spin_inertia = mesh.nodes[i].tilt_inertia = 1e18;
+  for (std::size_t i = 1; i < mesh.nodes.size(); ++i)
+    mesh.nodes[i].mass = mesh.nodes[i].spin_inertia = mesh.nodes[i].tilt_inertia = 1e18;
   rig.model = std::make_shared<Model>(scene, std::move(mesh));
   return rig;
 }

@@ -1,4 +1,6 @@
-// The main of a room's test program. As gtest_main; and `--file=NAME`, the name of a source without ".cpp", runs the tests of this source alone.
+// SPDX-License-Identifier: BSD-3-Clause
+// The main of a room's test program. As gtest_main; and `--file=NAME`, the name of a source without ".cpp", runs the tests of
+// this source alone.
 #include <gtest/gtest.h>
 
 #include <iostream>

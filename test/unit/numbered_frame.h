@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_TEST_NUMBERED_FRAME_H
 #define DRILL_RIG_SIM_TEST_NUMBERED_FRAME_H
 
@@ -59,10 +60,11 @@ inline FrameRecord numbered_record()
   f.truth.setpoints.top_drive = {TopDriveMode::torque, 402.0, 403.0, 404.0, 405.0, false, 407.0, 408.0};
   f.truth.setpoints.pump.flow = 406.0;
   f.readings.setpoints = f.truth.setpoints;
-  f.readings.mwd = {7, 298.5, 501.0, 502.0, 503.0};         // measured 1.5 s before the frame
-  f.readings.toolface = {9, 299.25, 511.0, false};          // 0.75 s before it
+  f.readings.mwd = {7, 298.5, 501.0, 502.0, 503.0};           // measured 1.5 s before the frame
+  f.readings.toolface = {9, 299.25, 511.0, false};            // 0.75 s before it
   f.readings.inclination = {11, 300.0 - 1.25, 521.0, 522.0};  // 1.25 s before it
-  f.readings.dynamics = {13, 300.0 - 2.25, 531.0, 532.0, 533.0, 534.0, 535.0, 536.0, 537.0, 538.0, 539.0, 540.0, 541.0};  // 2.25 s before it
+  f.readings.dynamics = {13,    300.0 - 2.25, 531.0, 532.0, 533.0, 534.0, 535.0,
+                         536.0, 537.0,        538.0, 539.0, 540.0, 541.0};  // 2.25 s before it
   f.readings.lost_gauges = 5;
   f.commands.last = 9'000'000'009;
   f.commands.accepted = {7'000'000'007, 8'000'000'008, 9'000'000'009};
@@ -90,7 +92,9 @@ inline FrameOutput numbered_output()
   s.profile.buckling = {0.701, 0.702, 0.703};
   s.profile.guided = {0, 0, 1};
   const Eigen::Vector3d down = -Eigen::Vector3d::UnitZ();
-  s.axis = {{601.0, {1.0, 2.0, -100.0}, down, 0.11, 0.2}, {602.0, {4.0, 5.0, -90.0}, down, 0.12, 0.2}, {603.0, {7.0, 8.0, -80.0}, down, 0.13, 0.2}};
+  s.axis = {{601.0, {1.0, 2.0, -100.0}, down, 0.11, 0.2},
+            {602.0, {4.0, 5.0, -90.0}, down, 0.12, 0.2},
+            {603.0, {7.0, 8.0, -80.0}, down, 0.13, 0.2}};
   return s;
 }
 

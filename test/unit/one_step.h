@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_TEST_ONE_STEP_H
 #define DRILL_RIG_SIM_TEST_ONE_STEP_H
 
@@ -9,8 +10,8 @@
 
 namespace drill_rig_sim
 {
-/// What an implicit Euler step of `step` [s] comes to that moves the first nodes of `rig` by the increments `u` (6 per node, the others
-/// stay): into `work`.
+/// What an implicit Euler step of `step` [s] comes to that moves the first nodes of `rig` by the increments `u` (6 per node, the
+/// others stay): into `work`.
 inline void evaluate_one_step(const RigAtRest& rig, double step, std::vector<double> u, Workspace& work)
 {
   Stage stage(*rig.model);

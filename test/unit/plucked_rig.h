@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_TEST_PLUCKED_RIG_H
 #define DRILL_RIG_SIM_TEST_PLUCKED_RIG_H
 
@@ -28,7 +29,8 @@ inline RigAtRest plucked()
   {
     const double shape = std::pow(std::cos(0.5 * pi * rig.model->mesh().nodes[i].from_bit / length), 4);
     rig.state.nodes[i].position.z() += 1e-3 * shape;
-    rig.state.nodes[i].orientation = rig.state.nodes[i].orientation * rotation_from_vector(Eigen::Vector3d(1e-2 * shape, 0.0, 0.0));
+    rig.state.nodes[i].orientation =
+        rig.state.nodes[i].orientation * rotation_from_vector(Eigen::Vector3d(1e-2 * shape, 0.0, 0.0));
   }
   return rig;
 }

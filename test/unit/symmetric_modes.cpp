@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "symmetric_modes.h"
 
 #include <Eigen/Eigenvalues>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_TEST_TANGENT_CHECK_H
 #define DRILL_RIG_SIM_TEST_TANGENT_CHECK_H
 
@@ -140,8 +141,10 @@ inline MatrixXd dense_tangent(Problem& problem, const VectorXd& u)
   MatrixXd places = MatrixXd::Zero(6 * n, 6 * n);
   for (int i = 0; i < n; ++i)
   {
-    if (t.small(i)) places.block<2, 2>(6 * i, 6 * i) = t.small_diagonal(i);
-    else places.block<6, 6>(6 * i, 6 * i) = t.diagonal(i);
+    if (t.small(i))
+      places.block<2, 2>(6 * i, 6 * i) = t.small_diagonal(i);
+    else
+      places.block<6, 6>(6 * i, 6 * i) = t.diagonal(i);
     if (i + 1 == n) continue;
     if (t.small(i) && t.small(i + 1))
     {

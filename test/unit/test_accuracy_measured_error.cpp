@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The error that a companion measures, by series whose differences are known.
 #include <gtest/gtest.h>
 
@@ -36,7 +37,8 @@ TEST(MeasuredError, isTheDifferenceOverTheRangeTimesItsFactor)
 TEST(MeasuredError, ofAveragesIsSmallWhereAVibrationRunsOutOfPhase)
 {
   MeasuredError measured;
-  for (int k = 0; k < 4000; ++k) add(measured, {1e6, 1e4 + 5e3 * std::sin(0.02 * pi * k)}, {1e6, 1e4 + 5e3 * std::sin(0.02 * pi * k + 1.0)});
+  for (int k = 0; k < 4000; ++k)
+    add(measured, {1e6, 1e4 + 5e3 * std::sin(0.02 * pi * k)}, {1e6, 1e4 + 5e3 * std::sin(0.02 * pi * k + 1.0)});
   EXPECT_NEAR(measured.error(Output::torque), 2.0 * std::sin(0.5) / std::sqrt(2.0) * 5e3 / 1e4, 0.01);
   const StatisticDifferences of_torque = measured.statistics(Output::torque);
   EXPECT_LT(of_torque.mean, 0.01);
@@ -49,7 +51,8 @@ TEST(MeasuredError, ofAveragesIsSmallWhereAVibrationRunsOutOfPhase)
 TEST(MeasuredError, ofStatisticsTellsALargerAndSlowerVibration)
 {
   MeasuredError measured;
-  for (int k = 0; k < 4000; ++k) add(measured, {1e6, 1e4 + 5e3 * std::sin(0.02 * pi * k)}, {1e6, 1e4 + 6e3 * std::sin(0.018 * pi * k)});
+  for (int k = 0; k < 4000; ++k)
+    add(measured, {1e6, 1e4 + 5e3 * std::sin(0.02 * pi * k)}, {1e6, 1e4 + 6e3 * std::sin(0.018 * pi * k)});
   const StatisticDifferences off = measured.statistics(Output::torque);
   EXPECT_NEAR(off.deviation, 1e3 / std::sqrt(2.0) / 1e4, 0.005);
   EXPECT_NEAR(off.extremes, 1e3 / 1e4, 0.002);
@@ -89,7 +92,8 @@ TEST(MeasuredError, ofTheBitSpeedIsOverThatOfTheTopDrive)
 {
   MeasuredError measured;
   for (int k = 0; k < 400; ++k) add(measured, {0.0, 0.0, 0.0, 0.0, 0.01}, {}, 10.0);
-  EXPECT_NEAR(measured.error(Output::bit_speed), 0.01 / (10.0 - 0.01), 1e-9) << "its range is that from its own speed to the drive's";
+  EXPECT_NEAR(measured.error(Output::bit_speed), 0.01 / (10.0 - 0.01), 1e-9)
+      << "its range is that from its own speed to the drive's";
 }
 
 TEST(MeasuredError, theLargestIsOfWhatIsNeeded)

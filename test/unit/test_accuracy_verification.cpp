@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // How runs of one rig are compared, by series whose differences are known.
 #include <gtest/gtest.h>
 
@@ -87,7 +88,10 @@ TEST(Verification, finerRunsThatDisagreeTellNothing)
 {
   EXPECT_EQ(verified(from_21_s, [](double) { return 9e3; }).verdict(), Verification::Verdict::unknown);
   EXPECT_EQ(verified(nothing, [](double) { return 9e3; }).verdict(), Verification::Verdict::unknown);
-  EXPECT_EQ(verified(from_21_s, [](double) { return 9e3; }, 0.0).verdict(), Verification::Verdict::warned);
+  EXPECT_EQ(verified(
+                from_21_s, [](double) { return 9e3; }, 0.0)
+                .verdict(),
+            Verification::Verdict::warned);
   EXPECT_EQ(verified(nothing, [](double) { return 1e3; }).verdict(), Verification::Verdict::right);
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The bit on the bottom: the implicit law's root, its derivatives, steady drilling.
 #include <gtest/gtest.h>
 

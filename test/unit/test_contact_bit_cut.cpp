@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Blades that cut what the blade before left: weights by hand, and the ground's memory.
 #include <gtest/gtest.h>
 
@@ -32,7 +33,8 @@ template <class Height>
 double turn(CutGround& ground, double from, double to, double step, const Height& height)
 {
   double lowered = 0.0;
-  for (long k = 1; k <= std::lround((to - from) / step); ++k) lowered += cut(ground, kBlades, from + k * step, height(from + k * step));
+  for (long k = 1; k <= std::lround((to - from) / step); ++k)
+    lowered += cut(ground, kBlades, from + k * step, height(from + k * step));
   return lowered;
 }
 }  // namespace
@@ -92,19 +94,23 @@ TEST(BitCut, slopesAreTheDerivatives)
   struct
   {
     double depth, sunk, flats;
-  } const cases[] = {{1e-3, 1e-5, 2e4}, {1e-3, -2e-5, 2e4}, {5e-5, 1e-4, 0.0}, {5e-5, -4e-5, 1e4}, {1e-3, -1e-3, 2e4}, {-1e-3, 0.0, 0.0}};
+  } const cases[] = {{1e-3, 1e-5, 2e4},  {1e-3, -2e-5, 2e4}, {5e-5, 1e-4, 0.0},
+                     {5e-5, -4e-5, 1e4}, {1e-3, -1e-3, 2e4}, {-1e-3, 0.0, 0.0}};
   for (const auto& c : cases)
   {
     const CutWeight at = cut_weight(kLaw, c.depth, c.sunk, c.flats);
-    const CutWeight deeper = cut_weight(kLaw, c.depth + h, c.sunk, c.flats), lower = cut_weight(kLaw, c.depth, c.sunk + h, c.flats);
-    const CutWeight shallower = cut_weight(kLaw, c.depth - h, c.sunk, c.flats), higher = cut_weight(kLaw, c.depth, c.sunk - h, c.flats);
+    const CutWeight deeper = cut_weight(kLaw, c.depth + h, c.sunk, c.flats),
+                    lower = cut_weight(kLaw, c.depth, c.sunk + h, c.flats);
+    const CutWeight shallower = cut_weight(kLaw, c.depth - h, c.sunk, c.flats),
+                    higher = cut_weight(kLaw, c.depth, c.sunk - h, c.flats);
     EXPECT_NEAR(at.cutters_by_depth, (deeper.cutters - shallower.cutters) / (2.0 * h), 10.0);
     EXPECT_NEAR(at.flats_by_depth, (deeper.flats - shallower.flats) / (2.0 * h), 10.0);
     EXPECT_NEAR(at.flats_by_height, (lower.flats - higher.flats) / (2.0 * h), 10.0);
   }
 }
 
-// A bit that sinks evenly finds the height of 2 pi/n ago, once the first sector is cut, and the bottom's mean follows it half a sector behind.
+// A bit that sinks evenly finds the height of 2 pi/n ago, once the first sector is cut, and the bottom's mean follows it half a
+// sector behind.
 TEST(CutGround, aHelixIsSeenASectorLater)
 {
   CutGround ground;
@@ -125,7 +131,8 @@ TEST(CutGround, aHelixIsSeenASectorLater)
   }
 }
 
-// What comes round is the wave that the blade before cut: linear between cells, (2 pi k/256)^2/8 of the amplitude at most, k waves a sector.
+// What comes round is the wave that the blade before cut: linear between cells, (2 pi k/256)^2/8 of the amplitude at most, k
+// waves a sector.
 TEST(CutGround, aWaveComesRound)
 {
   CutGround ground;
@@ -186,6 +193,7 @@ TEST(CutGround, manyTurnsAndLongSteps)
   const double end = ground.front;
   EXPECT_NEAR(ground_ahead(ground, kBlades, end + 0.5 * kCell).value, 1e-3 * (end + 0.5 * kCell - kSector - far), 1e-10);
   cut(ground, kBlades, end + 3.0 * kSector, 1e-3 * (end + 3.0 * kSector - far));
-  EXPECT_NEAR(ground_ahead(ground, kBlades, ground.front + 0.5 * kCell).value, 1e-3 * (ground.front + 0.5 * kCell - kSector - far), 1e-10);
+  EXPECT_NEAR(ground_ahead(ground, kBlades, ground.front + 0.5 * kCell).value,
+              1e-3 * (ground.front + 0.5 * kCell - kSector - far), 1e-10);
 }
 }  // namespace test_contact_bit_cut

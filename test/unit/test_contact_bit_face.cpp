@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Friction of the bit's face across the bottom: against the integral over the disc, its limits, tangents.
 #include <gtest/gtest.h>
 
@@ -48,7 +49,8 @@ TEST(BitFace, resistsAsADiscThatTurns)
       EXPECT_NEAR(friction(v, speed), disc, 0.02 * disc) << v;
     }
   // slow against the turning it is a damper, M/(omega a)
-  EXPECT_NEAR(friction(1e-3, 14.0), resistance * 1e-3 / std::hypot(14.0 * radius, 0.01), 1e-6 * friction(1e-3, 14.0)) << "creep counts as turning";
+  EXPECT_NEAR(friction(1e-3, 14.0), resistance * 1e-3 / std::hypot(14.0 * radius, 0.01), 1e-6 * friction(1e-3, 14.0))
+      << "creep counts as turning";
 }
 
 TEST(BitFace, doesNotResistWhatGoesAheadAndNeverMoreThanM)
@@ -62,7 +64,8 @@ TEST(BitFace, doesNotResistWhatGoesAheadAndNeverMoreThanM)
 TEST(BitFace, tangents)
 {
   const Vector3d v = 0.8 * sideways + 0.3 * down.cross(sideways) + 0.1 * down;
-  const auto at = [&](const Vector3d& dv, double dm, double dn) { return bit_face_friction(resistance + dm, radius, v + dv, 6.0 + dn, down).value; };
+  const auto at = [&](const Vector3d& dv, double dm, double dn)
+  { return bit_face_friction(resistance + dm, radius, v + dv, 6.0 + dn, down).value; };
   const BitFaceFriction f = bit_face_friction(resistance, radius, v, 6.0, down);
   const double h = 1e-5;
   for (int k = 0; k < 3; ++k)
@@ -70,7 +73,8 @@ TEST(BitFace, tangents)
     const Vector3d e = h * Vector3d::Unit(k);
     EXPECT_LT(((at(e, 0.0, 0.0) - at(-e, 0.0, 0.0)) / (2.0 * h) - f.by_velocity.col(k)).norm(), 1e-7 * f.by_velocity.norm());
   }
-  EXPECT_LT(((at(Vector3d::Zero(), 0.0, h) - at(Vector3d::Zero(), 0.0, -h)) / (2.0 * h) - f.by_speed).norm(), 1e-6 * f.by_speed.norm());
+  EXPECT_LT(((at(Vector3d::Zero(), 0.0, h) - at(Vector3d::Zero(), 0.0, -h)) / (2.0 * h) - f.by_speed).norm(),
+            1e-6 * f.by_speed.norm());
   EXPECT_LT((at(Vector3d::Zero(), 1.0, 0.0) - f.value - f.by_resistance).norm(), 1e-9);
 }
 }  // namespace test_contact_bit_face

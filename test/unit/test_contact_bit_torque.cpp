@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Torque on bit: both limits against hand figures, the bristle's return mapping, tangents.
 #include <gtest/gtest.h>
 
@@ -53,7 +54,8 @@ TEST(BitTorqueLimit, ListOfLaws)
     const bool drag = traits_of(spec.model).drag;
     EXPECT_FALSE(traits_of(spec.model).by_cut && !drag) << bit_laws[law].word;
     const TorqueLimit limit = bit_torque_limit(spec, 0.3112, 74e3, 4.0, rock);
-    const TorqueLimit expected = drag ? detournay_bit_torque(spec, 0.3112, 74e3, 4.0, rock) : stribeck_bit_torque(spec, 0.3112, 74e3, 4.0);
+    const TorqueLimit expected =
+        drag ? detournay_bit_torque(spec, 0.3112, 74e3, 4.0, rock) : stribeck_bit_torque(spec, 0.3112, 74e3, 4.0);
     EXPECT_EQ(limit.value, expected.value) << bit_laws[law].word;
     EXPECT_EQ(limit.force_slope, expected.force_slope) << bit_laws[law].word;
   }
@@ -118,7 +120,8 @@ TEST(BitTorqueLimit, DetournayWithoutAnEnergyTakesTheRocksOwn)
 TEST(BitTorqueLimit, DetournayIsFiniteAtRest)
 {
   const TorqueLimit at_rest = detournay_bit_torque(drag_bit(), 0.3112, 74e3, 0.0, rock_with(0.0));
-  EXPECT_LT(detournay_bit_torque(drag_bit(), 0.3112, 74e3, 1.05, rock_with(0.0)).value, at_rest.value) << "it falls from 1 rad/s on";
+  EXPECT_LT(detournay_bit_torque(drag_bit(), 0.3112, 74e3, 1.05, rock_with(0.0)).value, at_rest.value)
+      << "it falls from 1 rad/s on";
   EXPECT_TRUE(std::isfinite(at_rest.value));
   EXPECT_EQ(at_rest.value, detournay_bit_torque(drag_bit(), 0.3112, 74e3, 1.0, rock_with(0.0)).value);
   EXPECT_EQ(detournay_bit_torque(drag_bit(), 0.3112, -5.0, 1.0, rock_with(1.0)).value, 0.0);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Pipe on a filter cake: the strip that it seals, by the geometry of two circles, and the pressure that bleeds off beneath it.
 #include <gtest/gtest.h>
 
@@ -19,7 +20,8 @@ TEST(FilterCake, isSealedWhereTheGapIsNarrowerThanIt)
     const double half = sealed_width(radius, room) / (2.0 * radius);
     EXPECT_NEAR(room * (1.0 - std::cos(half)), cake_thickness, 1e-12) << room;
   }
-  EXPECT_NEAR(sealed_width(radius, 100.0), 2.0 * radius * std::sqrt(2.0 * cake_thickness / 100.0), 1e-6) << "thin beside the room";
+  EXPECT_NEAR(sealed_width(radius, 100.0), 2.0 * radius * std::sqrt(2.0 * cake_thickness / 100.0), 1e-6)
+      << "thin beside the room";
 }
 
 TEST(FilterCake, sealsHalfThePipeAtMost)

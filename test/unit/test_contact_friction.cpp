@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The bristle that carries friction: consistent tangents, sticking without creep, never more than its limit, no energy from
 // nothing.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Wall contact in a real, curved well: the tangent through the hole's own location, and the energy of a frictionless slide.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The wall pushes across the hole by Hertz and by Hunt and Crossley: closed forms, impacts, zero clearance.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Sliding on the wall: Coulomb's law in motion, competition of axial and circumferential friction, prescribed sliding.
 #include <gtest/gtest.h>
 
@@ -126,7 +127,8 @@ TEST(SlidingWallContact, HasALeverApartFromTheRadius)
   const WallForce turning = sliding_wall_contact(closest, 0.08, start, {0.0, 1.0}, law, tangent);
   EXPECT_NEAR(turning.moment.dot(hole.tangent), -hole.friction * turning.normal_force * 0.04, 1e-9 * turning.normal_force);
   const WallForce both = sliding_wall_contact(closest, 0.08, start, {0.3, 7.0}, law, tangent);
-  EXPECT_NEAR(both.force.dot(hole.tangent), -hole.friction * both.normal_force * 0.3 / std::hypot(0.3, 0.28), 1e-9 * both.normal_force);
+  EXPECT_NEAR(both.force.dot(hole.tangent), -hole.friction * both.normal_force * 0.3 / std::hypot(0.3, 0.28),
+              1e-9 * both.normal_force);
   const auto force = [&](const Vector6d& u)
   {
     const Vector3d p = start + u.head<3>();

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Friction of pipe that is known to lie on its wall: the same as the whole contact's, and exact slopes.
 #include <gtest/gtest.h>
 
@@ -50,7 +51,8 @@ TEST(SurfaceFriction, isThatOfTheWholeContact)
       motion.rotation = kTime * motion.angular_velocity;
       motion.velocity_coefficient = kCoefficient;
       motion.time = kTime;
-      const WallForce whole = wall_contact(hole.locate(motion.position), kLever, motion, bristle.x() * hole.tangent + bristle.y() * around, law);
+      const WallForce whole =
+          wall_contact(hole.locate(motion.position), kLever, motion, bristle.x() * hole.tangent + bristle.y() * around, law);
       const SurfaceFriction f = surface_friction(whole.normal_force, kKinetic, motion_at(velocity), bristle, law, nullptr);
       EXPECT_EQ(f.slipping, whole.slipping);
       EXPECT_NEAR(f.force.x(), whole.force.dot(hole.tangent), 1e-6) << velocity.transpose();
@@ -78,7 +80,8 @@ TEST(SurfaceFriction, slopesAreItsDerivatives)
       SurfaceSlopes slopes;
       surface_friction(kNormal, kKinetic, motion_at(velocity), bristle, law, &slopes);
       Matrix2d by_displacement;
-      for (int k = 0; k < 2; ++k) by_displacement.col(k) = (force(h * Vector2d::Unit(k), kNormal) - force(-h * Vector2d::Unit(k), kNormal)) / (2.0 * h);
+      for (int k = 0; k < 2; ++k)
+        by_displacement.col(k) = (force(h * Vector2d::Unit(k), kNormal) - force(-h * Vector2d::Unit(k), kNormal)) / (2.0 * h);
       EXPECT_LT((slopes.by_displacement - by_displacement).norm(), 1e-5 * by_displacement.norm()) << velocity.transpose();
       const Vector2d by_normal = (force(Vector2d::Zero(), kNormal + 1.0) - force(Vector2d::Zero(), kNormal - 1.0)) / 2.0;
       EXPECT_LT((slopes.by_normal_force - by_normal).norm(), 1e-8) << velocity.transpose();

@@ -1,4 +1,6 @@
-// Losses of muds with a rheology: published examples, exact limits, continuity from laminar to turbulent flow, eccentric pipe, nozzles, clinging.
+// SPDX-License-Identifier: BSD-3-Clause
+// Losses of muds with a rheology: published examples, exact limits, continuity from laminar to turbulent flow, eccentric pipe,
+// nozzles, clinging.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -17,19 +19,22 @@ constexpr double psi = 6894.757, foot = 0.3048, inch = 0.0254, gpm = 6.30902e-5,
 const Passage drill_pipe = {4.276 * inch, 0.0, 0.0}, open_hole = {8.5 * inch, 5.0 * inch, 0.0};
 const Rheology newtonian = {0.0, 0.02, 1.0}, bingham = {8.0, 0.02, 1.0}, thinning = {0.0, 0.6, 0.6}, yielding = {1.5, 0.14, 0.78};
 
-/// API RP 13D (2006) in its own units, a bore's alpha 0 and an annulus's 1: stress of laminar flow [lbf/100 ft2], Reynolds number, gradient [psi/ft].
+/// API RP 13D (2006) in its own units, a bore's alpha 0 and an annulus's 1: stress of laminar flow [lbf/100 ft2], Reynolds
+/// number, gradient [psi/ft].
 struct Api
 {
   double laminar, reynolds, gradient;
 
   Api(const Rheology& mud, double density, const Passage& passage, double speed)
   {
-    const double alpha = passage.inner > 0.0 ? 1.0 : 0.0, n = mud.index, v = speed / foot * 60.0, d = passage.gap() / inch, rho = density / ppg;
+    const double alpha = passage.inner > 0.0 ? 1.0 : 0.0, n = mud.index, v = speed / foot * 60.0, d = passage.gap() / inch,
+                 rho = density / ppg;
     const double g = ((3.0 - alpha) * n + 1.0) / ((4.0 - alpha) * n) * (1.0 + 0.5 * alpha);
     const double yield = mud.yield_stress / pound_per_100_feet2, k = mud.consistency / pound_per_100_feet2;
     laminar = std::pow((4.0 - alpha) / (3.0 - alpha), n) * yield + k * std::pow(1.6 * g * v / d, n);
     reynolds = rho * v * v / (19.36 * laminar);
-    const double critical = 3470.0 - 1370.0 * n, f_laminar = 16.0 / reynolds, f_transitional = 16.0 * reynolds / (critical * critical);
+    const double critical = 3470.0 - 1370.0 * n, f_laminar = 16.0 / reynolds,
+                 f_transitional = 16.0 * reynolds / (critical * critical);
     const double f_turbulent = (std::log10(n) + 3.93) / 50.0 / std::pow(reynolds, (1.75 - std::log10(n)) / 7.0);
     const double f_intermediate = std::pow(std::pow(f_transitional, -8.0) + std::pow(f_turbulent, -8.0), -1.0 / 8.0);
     const double f = std::pow(std::pow(f_intermediate, 12.0) + std::pow(f_laminar, 12.0), 1.0 / 12.0);
@@ -68,7 +73,8 @@ TEST(FlowLosses, slotIsNearTheNewtonianAnnulus)
 // Blasius: f = 0.0791/Re^0.25; API RP 13D's a and b of n = 1 are 0.0786 and 0.25.
 TEST(FlowLosses, newtonianTurbulentFlowIsNearBlasius)
 {
-  const double v = 3.0, re = 1000.0 * v * 0.1 / 0.002, gradient = pressure_gradient({0.0, 0.002, 1.0}, 1000.0, {0.1, 0.0, 0.0}, v);
+  const double v = 3.0, re = 1000.0 * v * 0.1 / 0.002,
+               gradient = pressure_gradient({0.0, 0.002, 1.0}, 1000.0, {0.1, 0.0, 0.0}, v);
   EXPECT_NEAR(gradient, 2.0 * 0.0791 / std::pow(re, 0.25) * 1000.0 * v * v / 0.1, 0.01 * gradient);
 }
 
@@ -82,8 +88,8 @@ TEST(FlowLosses, binghamLaminarFlowIsBuckinghamReiners)
   }
 }
 
-// Drilling Engineering (Heriot-Watt), exercise 2b: 4.276 in, 150 gpm, 10 lb/gal, 20 cP, 15 lb/100 ft2: 0.018 psi/ft by mu v/(1500 d^2) + tau_y/(225 d), which
-// leaves Buckingham and Reiner's last term out: 7.4 % here.
+// Drilling Engineering (Heriot-Watt), exercise 2b: 4.276 in, 150 gpm, 10 lb/gal, 20 cP, 15 lb/100 ft2: 0.018 psi/ft by mu v/(1500
+// d^2) + tau_y/(225 d), which leaves Buckingham and Reiner's last term out: 7.4 % here.
 TEST(FlowLosses, binghamPipeOfHeriotWatt)
 {
   const Rheology mud = {15.0 * pound_per_100_feet2, 0.020, 1.0};
@@ -95,28 +101,32 @@ TEST(FlowLosses, binghamPipeOfHeriotWatt)
   EXPECT_NEAR(pressure_gradient(mud, 10.0 * ppg, drill_pipe, v), 4.0 * w / drill_pipe.gap(), 1.0);
 }
 
-// Bourgoyne's turbulent Bingham mud, rho^0.75 v^1.75 mu_p^0.25/(1800 d^1.25) psi/ft (Applied Drilling Engineering; Guo and Liu, eq. 2.60).
+// Bourgoyne's turbulent Bingham mud, rho^0.75 v^1.75 mu_p^0.25/(1800 d^1.25) psi/ft (Applied Drilling Engineering; Guo and Liu,
+// eq. 2.60).
 TEST(FlowLosses, binghamTurbulentFlowIsNearBourgoynes)
 {
   for (const double flow : {500.0, 600.0, 800.0})
   {
     const double v = speed_of(flow * gpm, drill_pipe);
-    const double published = std::pow(10.0, 0.75) * std::pow(v / foot, 1.75) * std::pow(20.0, 0.25) / (1800.0 * std::pow(4.276, 1.25)) * psi / foot;
+    const double published =
+        std::pow(10.0, 0.75) * std::pow(v / foot, 1.75) * std::pow(20.0, 0.25) / (1800.0 * std::pow(4.276, 1.25)) * psi / foot;
     EXPECT_NEAR(pressure_gradient(bingham, 10.0 * ppg, drill_pipe, v), published, 0.02 * published) << flow;
   }
 }
 
-// Lapeyrouse, Formulas and Calculations, 2nd ed.: surge of plugged 4 1/2 in pipe in 7 7/8 in, 14,300 ft, 15 lb/gal, n 0.8069, K 0.522 lb s^n/100 ft2: 716 psi at
-// his peak of 378 ft/min; 516 psi by the same formula at the mean of 252 ft/min.
+// Lapeyrouse, Formulas and Calculations, 2nd ed.: surge of plugged 4 1/2 in pipe in 7 7/8 in, 14,300 ft, 15 lb/gal, n 0.8069, K
+// 0.522 lb s^n/100 ft2: 716 psi at his peak of 378 ft/min; 516 psi by the same formula at the mean of 252 ft/min.
 TEST(FlowLosses, annulusOfLapeyrouse)
 {
   const Rheology mud = {0.0, 0.522 * pound_per_100_feet2, 0.8069};
   const Passage annulus = {7.875 * inch, 4.5 * inch, 0.0};
-  const auto laminar = [&](double feet_per_minute) { return 4.0 * laminar_wall_stress(mud, annulus, feet_per_minute * foot / 60.0) / annulus.gap() * 14300.0 * foot / psi; };
+  const auto laminar = [&](double feet_per_minute)
+  { return 4.0 * laminar_wall_stress(mud, annulus, feet_per_minute * foot / 60.0) / annulus.gap() * 14300.0 * foot / psi; };
   EXPECT_NEAR(laminar(378.0), 716.0, 2.0);
   EXPECT_NEAR(laminar(252.0), 516.0, 2.0);
   EXPECT_NEAR(pressure_gradient(mud, 15.0 * ppg, annulus, 252.0 * foot / 60.0) * 14300.0 * foot / psi, 516.0, 2.0);
-  EXPECT_NEAR(pressure_gradient(mud, 15.0 * ppg, annulus, 378.0 * foot / 60.0) * 14300.0 * foot / psi, 724.0, 2.0) << "near its transition";
+  EXPECT_NEAR(pressure_gradient(mud, 15.0 * ppg, annulus, 378.0 * foot / 60.0) * 14300.0 * foot / psi, 724.0, 2.0)
+      << "near its transition";
 }
 
 // API RP 13D itself: a power law is the same in all regimes, to its rounded constants.
@@ -131,13 +141,15 @@ TEST(FlowLosses, powerLawIsApis)
     }
 }
 
-// Its Herschel-Bulkley mud: laminar flow loses less by what its factor of the yield stress is too large, turbulent by what that counts there.
+// Its Herschel-Bulkley mud: laminar flow loses less by what its factor of the yield stress is too large, turbulent by what that
+// counts there.
 TEST(FlowLosses, herschelBulkleyIsNearApis)
 {
   for (const Passage& passage : {drill_pipe, open_hole})
     for (const double v : {0.3, 0.6, 1.0, 3.0, 4.0, 6.0})
     {
-      const double api = Api(yielding, 12.5 * ppg, passage, v).gradient, here = pressure_gradient(yielding, 12.5 * ppg, passage, v) * foot / psi;
+      const double api = Api(yielding, 12.5 * ppg, passage, v).gradient,
+                   here = pressure_gradient(yielding, 12.5 * ppg, passage, v) * foot / psi;
       EXPECT_GT(here, 0.94 * api) << v;
       EXPECT_LT(here, 1.02 * api) << v;
     }
@@ -153,7 +165,8 @@ TEST(FlowLosses, lawsMeetAtTheirLimits)
       EXPECT_NEAR(gradient({8.0, 0.02, 1.0 - 1e-9}), gradient(bingham), 1e-6 * gradient(bingham)) << "index to 1";
       EXPECT_NEAR(gradient({1e-7, 0.6, 0.6}), gradient(thinning), 1e-4 * gradient(thinning));
     }
-  EXPECT_NEAR(pressure_gradient(bingham, 1200.0, drill_pipe, 1e-9), 4.0 * 8.0 / drill_pipe.gap(), 1.0) << "the yield stress at rest";
+  EXPECT_NEAR(pressure_gradient(bingham, 1200.0, drill_pipe, 1e-9), 4.0 * 8.0 / drill_pipe.gap(), 1.0)
+      << "the yield stress at rest";
   EXPECT_EQ(pressure_gradient(bingham, 1200.0, drill_pipe, 0.0), 4.0 * 8.0 / drill_pipe.gap());
 }
 
@@ -181,7 +194,8 @@ TEST(FlowLosses, criticalSpeedIsThatOfTheCriticalNumber)
   EXPECT_EQ(critical_speed(yielding, 0.0, open_hole), HUGE_VAL);
 }
 
-// A narrow slot whose gap varies around: 1/(1 + 1.5 e^2) of the concentric one's laminar loss (Newtonian; Piercy, Hooper and Winny 1933).
+// A narrow slot whose gap varies around: 1/(1 + 1.5 e^2) of the concentric one's laminar loss (Newtonian; Piercy, Hooper and
+// Winny 1933).
 TEST(FlowLosses, eccentricPipeLosesLess)
 {
   for (const double e : {0.25, 0.5, 0.75})
@@ -189,7 +203,8 @@ TEST(FlowLosses, eccentricPipeLosesLess)
   const EccentricShare half = eccentric_share(newtonian, {0.2159, 0.127, 0.5});
   EXPECT_GT(half.turbulent, half.laminar);
   EXPECT_LT(half.turbulent, 1.0);
-  EXPECT_NEAR(pressure_gradient(newtonian, 0.0, {0.2159, 0.127, 0.5}, 1.0), half.laminar * pressure_gradient(newtonian, 0.0, {0.2159, 0.127, 0.0}, 1.0), 1e-9);
+  EXPECT_NEAR(pressure_gradient(newtonian, 0.0, {0.2159, 0.127, 0.5}, 1.0),
+              half.laminar * pressure_gradient(newtonian, 0.0, {0.2159, 0.127, 0.0}, 1.0), 1e-9);
 }
 
 // 156.5 Q^2 W/(N1^2 + N2^2 + N3^2)^2 psi (Lapeyrouse): three of 12/32 in, 400 gpm, 10 lb/gal: 1342 psi.

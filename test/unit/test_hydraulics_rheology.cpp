@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Flow curves: fits of viscometer readings, limits of the laws, refused readings.
 #include <gtest/gtest.h>
 
@@ -42,12 +43,14 @@ TEST(Rheology, fourReadingsOfAHerschelBulkleyMud)
 TEST(Rheology, readingsGiveTheirLawBack)
 {
   const Rheology muds[] = {{0.0, 0.025, 1.0}, {7.0, 0.02, 1.0}, {0.0, 0.6, 0.6}, {3.0, 0.4, 0.7}};
-  const RheologyLaw laws[] = {RheologyLaw::newtonian, RheologyLaw::bingham, RheologyLaw::power_law, RheologyLaw::herschel_bulkley};
+  const RheologyLaw laws[] = {RheologyLaw::newtonian, RheologyLaw::bingham, RheologyLaw::power_law,
+                              RheologyLaw::herschel_bulkley};
   for (int k = 0; k < 4; ++k)
     for (const std::vector<double>& speeds : {std::vector<double>{600, 300, 200, 100, 6, 3}, std::vector<double>{600, 300, 100}})
     {
       std::vector<ViscometerReading> readings;
-      for (const double speed : speeds) readings.push_back({speed, shear_stress(muds[k], shear_rate_per_rpm * speed) / stress_per_dial_degree});
+      for (const double speed : speeds)
+        readings.push_back({speed, shear_stress(muds[k], shear_rate_per_rpm * speed) / stress_per_dial_degree});
       EXPECT_EQ(readings_problem(laws[k], readings), "") << k;
       const Rheology mud = fitted(laws[k], readings);
       EXPECT_NEAR(mud.yield_stress, muds[k].yield_stress, 1e-4) << k;
@@ -72,7 +75,8 @@ TEST(Rheology, readingsThatMakeNoSuchMudAreRefused)
   refused(RheologyLaw::bingham, {{600.0, 40.0}, {300.0, 60.0}}, "the dial reading does not increase from 300 to 600 rpm");
   refused(RheologyLaw::bingham, {{600.0, 60.0}, {300.0, 29.0}}, "the dial reading grows faster than the speed");
   refused(RheologyLaw::power_law, {{600.0, 60.0}, {300.0, 29.0}}, "the dial reading grows faster than the speed");
-  refused(RheologyLaw::herschel_bulkley, {{600.0, 60.0}, {300.0, 20.0}, {6.0, 2.0}, {3.0, 1.0}}, "index n of 1.58, allowed: 0.1 to 1");
+  refused(RheologyLaw::herschel_bulkley, {{600.0, 60.0}, {300.0, 20.0}, {6.0, 2.0}, {3.0, 1.0}},
+          "index n of 1.58, allowed: 0.1 to 1");
 }
 
 TEST(Rheology, aSceneGivesNumbersOrReadings)

@@ -1,4 +1,6 @@
-// Tables of losses, and the two volumes with them: published surge, steady flow, no mud lost, yield stress and gel, a string that moves.
+// SPDX-License-Identifier: BSD-3-Clause
+// Tables of losses, and the two volumes with them: published surge, steady flow, no mud lost, yield stress and gel, a string that
+// moves.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,7 +18,8 @@ namespace
 constexpr double psi = 6894.757, foot = 0.3048, inch = 0.0254, ppg = 119.8264;
 constexpr double largest = 0.06;
 const Rheology yielding = {3.0, 0.3, 0.7};
-const PassageLength pipe_bore = {{0.1086, 0.0, 0.0}, 3000.0}, pipe_annulus = {{0.2159, 0.127, 0.0}, 2800.0}, collar_annulus = {{0.2159, 0.17, 0.0}, 200.0};
+const PassageLength pipe_bore = {{0.1086, 0.0, 0.0}, 3000.0}, pipe_annulus = {{0.2159, 0.127, 0.0}, 2800.0},
+                    collar_annulus = {{0.2159, 0.17, 0.0}, 200.0};
 
 SectionLosses losses_of(const Rheology& mud)
 {
@@ -47,7 +50,8 @@ struct Rig
   }
   void run(double seconds, double commanded, double step = 0.01)
   {
-    for (long k = 0; k < std::lround(seconds / step); ++k) advance_hydraulics(pump, circuit, commanded, 0.0, displaced, step, flow, state);
+    for (long k = 0; k < std::lround(seconds / step); ++k)
+      advance_hydraulics(pump, circuit, commanded, 0.0, displaced, step, flow, state);
   }
 };
 }  // namespace
@@ -89,7 +93,8 @@ TEST(SectionLosses, steadyFlowHasTheLawsLosses)
     Rig rig(yielding);
     rig.run(600.0, q);
     const double annulus = loss_of(yielding, pipe_annulus, q) + loss_of(yielding, collar_annulus, q);
-    const double inner = loss_of(yielding, pipe_bore, q) + loss_of(yielding, {{0.08, 0.0, 0.0}, 40.0}, q) + nozzle_loss(1300.0, q, 3e-4);
+    const double inner =
+        loss_of(yielding, pipe_bore, q) + loss_of(yielding, {{0.08, 0.0, 0.0}, 40.0}, q) + nozzle_loss(1300.0, q, 3e-4);
     EXPECT_NEAR(rig.flow, q, 1e-6 * q);
     EXPECT_NEAR(rig.state.return_flow, q, 1e-5 * q);
     EXPECT_NEAR(rig.state.annulus_pressure, annulus, 2e-3 * annulus) << q;
@@ -111,7 +116,8 @@ TEST(SectionLosses, noMudIsLost)
       pumped += step * (rig.state.pump_flow + rig.displaced);
       returned += step * rig.state.return_flow;
     }
-    const double stored = rig.circuit.bore.capacity * rig.state.stand_pipe_pressure + rig.circuit.annulus.capacity * rig.state.annulus_pressure;
+    const double stored =
+        rig.circuit.bore.capacity * rig.state.stand_pipe_pressure + rig.circuit.annulus.capacity * rig.state.annulus_pressure;
     EXPECT_NEAR(pumped, returned + stored, 1e-9 * pumped + 1e-12) << step;
   }
 }
@@ -166,13 +172,15 @@ TEST(SectionLosses, aStringThatMovesSurgesAndSwabs)
   EXPECT_NEAR(in.state.return_flow, area * v, 1e-4 * area * v);
 }
 
-// Lapeyrouse's plugged pipe (test_hydraulics_flow_losses) through the circuit: 516 psi with his K of 0.45; 497 with Burkhardt's laminar 0.407.
+// Lapeyrouse's plugged pipe (test_hydraulics_flow_losses) through the circuit: 516 psi with his K of 0.45; 497 with Burkhardt's
+// laminar 0.407.
 TEST(SectionLosses, plungedPipeSurgesAsLapeyrousesDoes)
 {
   const Rheology mud = {0.0, 0.522 * 0.4788026, 0.8069};
   HydraulicCircuit circuit;
   const Passage annulus = {7.875 * inch, 4.5 * inch, 0.0};
-  circuit.law = section_losses(mud, 15.0 * ppg, {{}, {{{3.82 * inch, 0.0, 0.0}, 14300.0 * foot}}, {{annulus, 14300.0 * foot}}, 3e-4}, largest);
+  circuit.law = section_losses(mud, 15.0 * ppg,
+                               {{}, {{{3.82 * inch, 0.0, 0.0}, 14300.0 * foot}}, {{annulus, 14300.0 * foot}}, 3e-4}, largest);
   const double speed = 270.0 * foot / 60.0, ratio = 4.5 / 7.875;
   const double by_lapeyrouse = std::pow((0.45 + 0.485) / (clinging(ratio, 0.0) + 0.485), 0.8069);
   const double surge = circuit.law.outer(0.0, circuit.law.displaced_area * speed).loss / psi;

@@ -1,4 +1,6 @@
-// The block-tridiagonal solver, by every kernel that this machine has, against a dense LU with pivoting and against the scalar one.
+// SPDX-License-Identifier: BSD-3-Clause
+// The block-tridiagonal solver, by every kernel that this machine has, against a dense LU with pivoting and against the scalar
+// one.
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
@@ -98,13 +100,16 @@ void fill_mixed(BlockTridiagonal& a, MatrixXd& dense, std::mt19937& random)
   const auto put = [&](int i, int j, auto block)
   {
     for (int r = 0; r < unknowns(i); ++r)
-      for (int c = 0; c < unknowns(j); ++c) dense(6 * i + r, 6 * j + c) = block(r, c) = number(random) + (i == j && r == c ? 12.0 : 0.0);
+      for (int c = 0; c < unknowns(j); ++c)
+        dense(6 * i + r, 6 * j + c) = block(r, c) = number(random) + (i == j && r == c ? 12.0 : 0.0);
   };
   for (int i = 0; i < n; ++i)
   {
     for (int r = unknowns(i); r < 6; ++r) dense(6 * i + r, 6 * i + r) = 1.0;
-    if (a.small(i)) put(i, i, a.small_diagonal(i));
-    else put(i, i, a.diagonal(i));
+    if (a.small(i))
+      put(i, i, a.small_diagonal(i));
+    else
+      put(i, i, a.diagonal(i));
     if (i + 1 == n) continue;
     if (a.small(i) && a.small(i + 1))
     {
@@ -148,7 +153,8 @@ TEST_P(BlockTridiagonalBy, agreesWithDenseLuWhereSmallRowsStandBetweenTheOthers)
       const VectorXd other = random_right_side(a, random);
       x = other;
       a.solve_again(x.data());
-      EXPECT_LT((x - dense.partialPivLu().solve(other)).norm(), 1e-13 * other.norm()) << n << " block rows, with the factors of before";
+      EXPECT_LT((x - dense.partialPivLu().solve(other)).norm(), 1e-13 * other.norm())
+          << n << " block rows, with the factors of before";
     }
   }
 }

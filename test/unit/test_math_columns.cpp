@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Columns of numbers: each keeps its own, whatever their order in the list that makes room for them.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Rotation vectors, axes and the twist between two cross-sections.
 #include <gtest/gtest.h>
 

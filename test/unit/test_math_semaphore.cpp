@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The semaphore: counts, wakes another thread, and gives up at an absolute deadline of the steady clock.
 #include <gtest/gtest.h>
 #include <pthread.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Tilt and spin: the chart's rates against the rotations themselves.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Values that list their own fields: their bytes, there and back.
 #include <gtest/gtest.h>
 
@@ -81,12 +82,14 @@ TEST(Visit, goesDownToEveryNumberByItsPath)
   Outer value = some_value(2);
   Paths paths;
   visit_numbers(value, paths);
-  EXPECT_EQ("inner[2] inner.number inner.flag inner.number inner.flag word pair pair place place place turn turn turn turn ", paths.all);
+  EXPECT_EQ("inner[2] inner.number inner.flag inner.number inner.flag word pair pair place place place turn turn turn turn ",
+            paths.all);
 }
 
 TEST(Bytes, holdEachNumberOnce)
 {
-  for (const std::size_t count : {0u, 1u, 5u}) EXPECT_EQ(of_count + count * of_inner + of_rest, to_bytes(some_value(count)).size());
+  for (const std::size_t count : {0u, 1u, 5u})
+    EXPECT_EQ(of_count + count * of_inner + of_rest, to_bytes(some_value(count)).size());
 }
 
 // Whatever the value held before: fewer entries, as many, more.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A force that is nobody's, a spring, a couple and a damper, at each node of a string, at every level: nothing of it may be lost.
 #include <gtest/gtest.h>
 
@@ -118,7 +119,8 @@ int tried_nodes(const Model& model)
   return model.top();
 }
 
-/// The tangent with the force is as good as the one without, whose worst column that is, or as what the step's tilt leaves (test_model_guided).
+/// The tangent with the force is as good as the one without, whose worst column that is, or as what the step's tilt leaves
+/// (test_model_guided).
 void expect_as_exact(Problem problem, double without, decltype(&evaluate) tried, const VectorXd& u, double difference, int held)
 {
   problem.evaluator = tried;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What a stage and a workspace carry over from one evaluation to the next, and where forces look for what is around them.
 #include <gtest/gtest.h>
 
@@ -113,8 +114,8 @@ TEST(Evaluate, theBitDrillsTheLayerItStandsOn)
   EXPECT_GT(drilled({all_soft}), 2.0 * in_hard);
 }
 
-// The speed that drills follows the bit's with the lag, w (1 - exp(-t/lag)) after a bit that stood begins to turn; a bit that stops drills
-// nothing, whatever the mean is.
+// The speed that drills follows the bit's with the lag, w (1 - exp(-t/lag)) after a bit that stood begins to turn; a bit that
+// stops drills nothing, whatever the mean is.
 TEST(Evaluate, theSpeedThatDrillsIsTheMean)
 {
   Scene scene = drilling_scene(2.0);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Friction of the wall on the bit's gauge: the gauge turns with the mud motor, the string above it does not.
 #include <gtest/gtest.h>
 
@@ -17,7 +18,8 @@ namespace
 constexpr double step = 0.01, pressed = 1e-3, kinetic = 0.3, ratio = 1.5, stribeck = 0.8;  // [s], [m], [-], [-], [m/s]
 constexpr double radius = 0.05;                                                            // of the bit [m]
 
-/// The bit, or the string's node above it, pressed into the wall on the east side. Its friction falls from 0.45 to 0.3 over 0.8 m/s.
+/// The bit, or the string's node above it, pressed into the wall on the east side. Its friction falls from 0.45 to 0.3 over 0.8
+/// m/s.
 struct PressedGauge
 {
   RigAtRest rig;
@@ -50,11 +52,15 @@ struct PressedGauge
     return work.result.forces;
   }
   /// Of the friction at a sliding speed [N].
-  double friction(double speed) const { return kinetic * (1.0 + (ratio - 1.0) * std::exp(-std::pow(speed / stribeck, 2))) * normal; }
+  double friction(double speed) const
+  {
+    return kinetic * (1.0 + (ratio - 1.0) * std::exp(-std::pow(speed / stribeck, 2))) * normal;
+  }
 };
 }  // namespace
 
-// Clockwise looking down the gauge's east side goes south: the wall pushes it north, and turns the bit anticlockwise, which is + z.
+// Clockwise looking down the gauge's east side goes south: the wall pushes it north, and turns the bit anticlockwise, which is +
+// z.
 TEST(Gauge, slidesAtTheMotorsSpeed)
 {
   PressedGauge gauge;

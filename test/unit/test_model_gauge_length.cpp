@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The gauge pads of a bit: two circles on the wall, one gauge length apart, that resist a tilt of the bit.
 #include <gtest/gtest.h>
 
@@ -76,7 +77,8 @@ TEST(GaugeLength, itsPadsTurnWithTheMotorAndLoadIt)
   EXPECT_NEAR(f.motor_torque, friction * (radius - clearance) * f.contact[1], 0.01 * f.motor_torque);
 }
 
-// Of wall, film and motor at the pads' upper end, by fourth-order central differences; at no tilt of the step, where the tangent is exact.
+// Of wall, film and motor at the pads' upper end, by fourth-order central differences; at no tilt of the step, where the tangent
+// is exact.
 TEST(GaugeLength, tangentIsThatOfTheResidual)
 {
   TiltedBit bit(5.0 * clearance / length, 0.3);

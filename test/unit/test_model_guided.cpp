@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Guided nodes: tangent, equilibria, waves and energy of strings that are confined to their hole, wholly or in part.
 #include <gtest/gtest.h>
 
@@ -24,7 +25,8 @@ Scene built_and_held(Level level, double free_length = 0.0)
 
 int guided_nodes(const State& state)
 {
-  return static_cast<int>(std::count_if(state.nodes.begin(), state.nodes.end(), [](const NodeState& node) { return node.guided; }));
+  return static_cast<int>(
+      std::count_if(state.nodes.begin(), state.nodes.end(), [](const NodeState& node) { return node.guided; }));
 }
 
 /// Where a beam ends in a guided node that slides through a bend, the node tilts within the step, by w s, some 1e-6 here; the
@@ -103,11 +105,13 @@ TEST(ModelGuided, tangentOfStatics)
   for (const double free_length : {-1.0, 60.0, 415.0})  // none, some, all but the top
     for (const SlidingMotion mode : {no_sliding, sliding_up, sliding_around})
     {
-      RigAtRest rig = build_at_rest(free_length < 0.0 ? built_and_held(Level::axial_torsional) : built_and_held(Level::hybrid, free_length));
+      RigAtRest rig =
+          build_at_rest(free_length < 0.0 ? built_and_held(Level::axial_torsional) : built_and_held(Level::hybrid, free_length));
       EXPECT_NEAR(rig.state.nodes.back().position.z(), 20.0, 1e-9) << "the block's height";
       Problem problem(rig, evaluate_static);
       begin_static(problem.model, problem.start, mode, 0.0, problem.stage);
-      EXPECT_LT(worst_column(problem, VectorXd::Zero(6 * rig.model->nodes()), tangent_difference, 1), 1e-5) << "places 400 m away are rounded to 6e-14 m";
+      EXPECT_LT(worst_column(problem, VectorXd::Zero(6 * rig.model->nodes()), tangent_difference, 1), 1e-5)
+          << "places 400 m away are rounded to 6e-14 m";
     }
 }
 }  // namespace test_model_guided

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Inertia of the string's sections: whirl of a spinning rotor, frequency of tilting, kinetic energy by hand.
 #include <gtest/gtest.h>
 
@@ -18,8 +19,8 @@ namespace
 {
 constexpr double step = 0.0005;  // [s]
 
-/// A rotor on the pipe's lower end that can tilt and spin, but not move: its mass is beyond measure, too. `stiffness`: of the pipe against
-/// the tilting of that end [N m/rad].
+/// A rotor on the pipe's lower end that can tilt and spin, but not move: its mass is beyond measure, too. `stiffness`: of the
+/// pipe against the tilting of that end [N m/rad].
 struct Rotor
 {
   double spin_inertia, tilt_inertia, stiffness = 0.0;
@@ -92,8 +93,9 @@ void expect_whirl(const Rotor& rotor, IntegratorKind kind, double spin, double w
 constexpr IntegratorKind methods[] = {IntegratorKind::bdf2, IntegratorKind::trbdf2, IntegratorKind::generalised_alpha};
 }  // namespace
 
-// Without stiffness the fast whirl is the free precession, spin_inertia/tilt_inertia times the spin, in the sense of the spin. Bound: the
-// methods' own error, (l h)^2/3 of the angle and less of the size, 2e-5; the pipe's bending, of order stiffness/(spin_inertia spin^2) 1e-4.
+// Without stiffness the fast whirl is the free precession, spin_inertia/tilt_inertia times the spin, in the sense of the spin.
+// Bound: the methods' own error, (l h)^2/3 of the angle and less of the size, 2e-5; the pipe's bending, of order
+// stiffness/(spin_inertia spin^2) 1e-4.
 TEST(Gyroscope, freeRotorPrecessesBySpinInertiaOverTiltInertia)
 {
   for (const double ratio : {0.5, 1.0, 1.8})
@@ -150,8 +152,8 @@ TEST(Gyroscope, tangentIsTheDerivativeOfTheMoment)
   }
 }
 
-// Nodes that move, tilt and spin at given rates, below and above the rotary table: mass along the string, mass and added mass of mud
-// across it, tilt and spin each with its inertia; above the table no mud moves along.
+// Nodes that move, tilt and spin at given rates, below and above the rotary table: mass along the string, mass and added mass of
+// mud across it, tilt and spin each with its inertia; above the table no mud moves along.
 TEST(KineticEnergy, isThatOfMassAndInertiaByHand)
 {
   RigAtRest rig = build_at_rest(drilling_scene(5.0));

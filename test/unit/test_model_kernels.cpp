@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The batch kernels against node by node and element by element, and their tangents against finite differences.
 #include <gtest/gtest.h>
 
@@ -56,8 +57,8 @@ System system_of(Problem& problem, const VectorXd& u)
   return out;
 }
 
-/// In every kernel, at the next step's increments. `in_tangent`: by how much a row's numbers may differ, over its largest. `difference`: 0 if finite
-/// ones are left out.
+/// In every kernel, at the next step's increments. `in_tangent`: by how much a row's numbers may differ, over its largest.
+/// `difference`: 0 if finite ones are left out.
 void expect_same(const Scene& scene, const Rig& rig, double in_tangent = rounding, double difference = tangent_difference)
 {
   VectorXd u(6 * rig.rest.model->nodes());
@@ -74,7 +75,8 @@ void expect_same(const Scene& scene, const Rig& rig, double in_tangent = roundin
     {
       const double scale = expected.tangent.row(row).cwiseAbs().maxCoeff();
       worst_force = std::max(worst_force, std::abs(system.residual[row] - expected.residual[row]) / scale);
-      worst_stiffness = std::max(worst_stiffness, (system.tangent.row(row) - expected.tangent.row(row)).cwiseAbs().maxCoeff() / scale);
+      worst_stiffness =
+          std::max(worst_stiffness, (system.tangent.row(row) - expected.tangent.row(row)).cwiseAbs().maxCoeff() / scale);
     }
     EXPECT_LT(worst_force, rounding) << name_of(kernel);
     EXPECT_LT(worst_stiffness, in_tangent) << name_of(kernel);
@@ -108,8 +110,8 @@ struct Turned : Rig
     return scene;
   }
 };
-/// Where the load on the wall of a guided node changes sides it does so within a newton: there a tension's rounding is more of the tangent. (Finite
-/// differences: ModelGuided.)
+/// Where the load on the wall of a guided node changes sides it does so within a newton: there a tension's rounding is more of
+/// the tangent. (Finite differences: ModelGuided.)
 constexpr double of_sides = 1e-9;
 
 /// Guided throughout, built to 40 deg and held.
@@ -201,7 +203,8 @@ TEST(ModelKernels, withGuidedPipeAbove)
   expect_same(scene, Turned(scene, 1.0));
 }
 
-// Guided throughout, over a bend, of lengths that leave every number of nodes over; sticking and sliding, friction that grows at rest.
+// Guided throughout, over a bend, of lengths that leave every number of nodes over; sticking and sliding, friction that grows at
+// rest.
 TEST(ModelKernels, guidedThroughout)
 {
   for (double bit_depth = 330.0; bit_depth < 400.0; bit_depth += 9.5)
@@ -213,7 +216,8 @@ TEST(ModelKernels, guidedThroughout)
   }
 }
 
-// Along the hole and around it, about the pipe by more than a small angle too, and onto the side that the wall's friction makes it climb to.
+// Along the hole and around it, about the pipe by more than a small angle too, and onto the side that the wall's friction makes
+// it climb to.
 TEST(ModelKernels, endOfAGuidedStep)
 {
   const Scene scene = guided_scene(390.0);
@@ -222,7 +226,8 @@ TEST(ModelKernels, endOfAGuidedStep)
   {
     VectorXd u(6 * rig.rest.model->nodes());
     predict(rig.rest.state, tangent_step, u.data());
-    for (int i = 0; i < rig.rest.model->nodes(); ++i) u.segment<3>(6 * i + 3) += turn * x_axis(rig.rest.state.nodes[i].orientation);
+    for (int i = 0; i < rig.rest.model->nodes(); ++i)
+      u.segment<3>(6 * i + 3) += turn * x_axis(rig.rest.state.nodes[i].orientation);
     Twin scalar(scene, Kernel::scalar, rig);
     const State expected = state_after(scalar.problem, u);
     for (const Kernel kernel : wide_kernels())
@@ -236,11 +241,15 @@ TEST(ModelKernels, endOfAGuidedStep)
         EXPECT_LT((a.orientation.coeffs() - b.orientation.coeffs()).norm(), 1e-13) << name_of(kernel);
         EXPECT_LT((a.side - b.side).norm(), 1e-11) << name_of(kernel);
         EXPECT_LT(std::abs(a.md - b.md) + std::abs(a.spin_angle - b.spin_angle), 1e-11) << name_of(kernel);
-        EXPECT_LT((a.rate.velocity - b.rate.velocity).norm() + (a.rate.tilt - b.rate.tilt).norm() + std::abs(a.rate.spin - b.rate.spin), 1e-9) << name_of(kernel);
+        EXPECT_LT(
+            (a.rate.velocity - b.rate.velocity).norm() + (a.rate.tilt - b.rate.tilt).norm() + std::abs(a.rate.spin - b.rate.spin),
+            1e-9)
+            << name_of(kernel);
         EXPECT_LT((a.bristle - b.bristle).norm() + std::abs(a.rest - b.rest), 1e-11) << name_of(kernel);
         EXPECT_EQ(a.segment, b.segment);
       }
-      for (std::size_t e = 0; e < state.spans.size(); ++e) EXPECT_NEAR(expected.spans[e].twist, state.spans[e].twist, 1e-12) << name_of(kernel);
+      for (std::size_t e = 0; e < state.spans.size(); ++e)
+        EXPECT_NEAR(expected.spans[e].twist, state.spans[e].twist, 1e-12) << name_of(kernel);
     }
   }
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Pipe above the rotary table: the mast bounds it.
 #include <gtest/gtest.h>
 
@@ -43,8 +44,8 @@ TEST(Mast, opensFromTheTableToItsInside)
   EXPECT_DOUBLE_EQ(in_mast(-10.0, 2.0).radius, 2.0) << "never narrower than the hole";
 }
 
-// A bit on rock that does not yield, and the block lowered on it by four metres: the pipe above the table gives way sideways until it finds
-// the mast.
+// A bit on rock that does not yield, and the block lowered on it by four metres: the pipe above the table gives way sideways
+// until it finds the mast.
 TEST(Mast, overfedPipeStaysInside)
 {
   Scene scene = vertical_scene(100.0, 100.0);

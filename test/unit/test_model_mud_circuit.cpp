@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The mud's way through string and hole: published losses, volumes, where along the string the pressures drop.
 #include <gtest/gtest.h>
 
@@ -31,7 +32,8 @@ MudCircuit circuit_of(const Scene& scene)
 }
 }  // namespace
 
-// drillingformulas.com, after Lapeyrouse: 13 lb/gal, 8000 ft of 4 in in 6.5 in, 320 gal/min: 531.65 psi, of a speed rounded to 299 ft/min.
+// drillingformulas.com, after Lapeyrouse: 13 lb/gal, 8000 ft of 4 in in 6.5 in, 320 gal/min: 531.65 psi, of a speed rounded to
+// 299 ft/min.
 TEST(MudCircuit, annulusLosesWhatLapeyrouseSays)
 {
   const double loss = 8000.0 * foot * annulus_gradient(13.0 * ppg, 320.0 * gpm, 6.5 * inch, 4.0 * inch) / psi;
@@ -54,7 +56,8 @@ TEST(MudCircuit, volumesAndGelAreThoseOfTheGeometry)
   EXPECT_NEAR(mud.circuit.bore.gel, 4.0 * 5.0 * length / pipe_inner, 0.002 * mud.circuit.bore.gel);
   const double hole = scene.well.sections.back().diameter;
   const double in_hole = scene.start.bit_depth;
-  EXPECT_NEAR(mud.circuit.annulus.capacity * scene.mud.bulk_modulus, 0.25 * pi * (hole * hole - pipe_outer * pipe_outer) * in_hole, 0.5);
+  EXPECT_NEAR(mud.circuit.annulus.capacity * scene.mud.bulk_modulus,
+              0.25 * pi * (hole * hole - pipe_outer * pipe_outer) * in_hole, 0.5);
   EXPECT_NEAR(mud.circuit.annulus.gel, 4.0 * 5.0 * in_hole / (hole - pipe_outer), 0.02 * mud.circuit.annulus.gel);
 }
 
@@ -66,9 +69,11 @@ TEST(MudCircuit, lossesAddUpToTheScenes)
   const MudPumpSpec& pump = scene.rig.mud_pump;
   EXPECT_NEAR(mud.circuit.bore.loss + mud.circuit.annulus.loss, pump.pressure_coefficient * pump.max_flow * pump.max_flow, 1e-3);
   const double hole = scene.well.sections.back().diameter;
-  EXPECT_NEAR(mud.circuit.annulus.loss, 990.0 * annulus_gradient(scene.mud.density, pump.max_flow, hole, pipe_outer), 0.01 * mud.circuit.annulus.loss);
+  EXPECT_NEAR(mud.circuit.annulus.loss, 990.0 * annulus_gradient(scene.mud.density, pump.max_flow, hole, pipe_outer),
+              0.01 * mud.circuit.annulus.loss);
   EXPECT_NEAR(mud.bore_friction * mud.circuit.bore.loss,
-              (scene.start.bit_depth + scene.start.block_height) * bore_gradient(scene.mud.density, pump.max_flow, pipe_inner), 0.002 * mud.circuit.bore.loss);
+              (scene.start.bit_depth + scene.start.block_height) * bore_gradient(scene.mud.density, pump.max_flow, pipe_inner),
+              0.002 * mud.circuit.bore.loss);
   EXPECT_NEAR(std::accumulate(mud.annulus_here.begin(), mud.annulus_here.end(), 0.0), 1.0, 1e-12);
   HydraulicState state;
   state.stand_pipe_pressure = 3e7;
@@ -82,8 +87,9 @@ TEST(MudCircuit, lossesAddUpToTheScenes)
   EXPECT_EQ(mud_pressures(mud, state, 0.0).in_bore(mud, lowest), 3e7) << "at rest";
 }
 
-// Lapeyrouse's plugged pipe, 4 1/2 in in 7 7/8 in, 270 ft/min: K + D^2/(D_h^2 - D^2) = 0.467 + 0.485 of it is 257 ft/min, he has 252 with
-// K = 0.45; 1.4327e-7 x 15 lb/gal x 14300 ft x 257^2/3.375 = 601 psi, his power law 516 at that speed, 716 at 1.5 times as much.
+// Lapeyrouse's plugged pipe, 4 1/2 in in 7 7/8 in, 270 ft/min: K + D^2/(D_h^2 - D^2) = 0.467 + 0.485 of it is 257 ft/min, he has
+// 252 with K = 0.45; 1.4327e-7 x 15 lb/gal x 14300 ft x 257^2/3.375 = 601 psi, his power law 516 at that speed, 716 at 1.5 times
+// as much.
 TEST(MudCircuit, plungedPipeSurgesAsLapeyrousesDoes)
 {
   const double d = 4.5 * inch, hole = 7.875 * inch, speed = 270.0 * foot / 60.0;
@@ -139,7 +145,8 @@ TEST(MudCircuit, rheologyGivesTheLossesBySection)
   const Rheology curve = {6.0, 0.02, 1.0};
   const double flow = scene.rig.mud_pump.max_flow, density = scene.mud.density, hole = scene.well.sections.back().diameter;
   const auto gradient = [&](const Passage& passage) { return pressure_gradient(curve, density, passage, flow / passage.area()); };
-  const double bore = (scene.start.bit_depth + scene.start.block_height) * gradient({pipe_inner, 0.0, 0.0}), annulus = 990.0 * gradient({hole, pipe_outer, 0.0});
+  const double bore = (scene.start.bit_depth + scene.start.block_height) * gradient({pipe_inner, 0.0, 0.0}),
+               annulus = 990.0 * gradient({hole, pipe_outer, 0.0});
   EXPECT_NEAR(mud.losses.bore, bore, 0.002 * bore);
   EXPECT_NEAR(mud.losses.annulus, annulus, 0.01 * annulus);
   EXPECT_NEAR(mud.losses.lines, 30.0 * gradient({0.09, 0.0, 0.0}), 1.0);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The friction of a rotary steerable tool's pads on the wall: its torque, its share along the hole, where it pushes the tool.
 #include <gtest/gtest.h>
 

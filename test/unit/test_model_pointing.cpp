@@ -1,4 +1,6 @@
-// A rotary steerable tool that points the bit: the beam between two touch points in closed form, a direction that turning leaves alone, exact tangents.
+// SPDX-License-Identifier: BSD-3-Clause
+// A rotary steerable tool that points the bit: the beam between two touch points in closed form, a direction that turning leaves
+// alone, exact tangents.
 #include <gtest/gtest.h>
 
 #include "drill_rig_sim/model/pointing.h"
@@ -20,7 +22,8 @@ Scene held_scene()
   Scene scene = vertical_scene(100.0, 95.0);
   PartSpec pipe = pipe_part(0, 9.5, tool_jointed_mass);
   pipe.stiffness = {5e8, 1e5, 7.7e4};
-  scene.string = {bit_part(0.2159), pointing_part(tilt), blades_part(0.2158), collar_part(1, 5.0), blades_part(0.2158, "upper_blades"), pipe};
+  scene.string = {
+      bit_part(0.2159), pointing_part(tilt), blades_part(0.2158), collar_part(1, 5.0), blades_part(0.2158, "upper_blades"), pipe};
   scene.numerics.element_length = 1.0;
   return scene;
 }
@@ -37,7 +40,8 @@ Places places_of(const Mesh& mesh)
   return {1.0 - bit, 0.5 * (mesh.part_bottom[2] + mesh.part_top[2]) - bit, 0.5 * (mesh.part_bottom[4] + mesh.part_top[4]) - bit};
 }
 
-/// Moment at the lower blades by the three-moment equation: the kink, were the span over it cut there, would turn its end by theta a/b.
+/// Moment at the lower blades by the three-moment equation: the kink, were the span over it cut there, would turn its end by
+/// theta a/b.
 double moment_at_blades(const Mesh& mesh)
 {
   const Places at = places_of(mesh);
@@ -61,7 +65,8 @@ TEST(Pointing, bitTiltAndSideForceAreThoseOfTheBeam)
   const Places at = places_of(mesh);
   const BeamSection& s = mesh.elements[0].section;
   const double moment = moment_at_blades(mesh), force = moment / at.blades;
-  const double tilted = tilt * (at.blades - at.pivot) / at.blades - moment * (at.blades / (6.0 * s.bending) - 1.0 / (at.blades * s.shear));
+  const double tilted =
+      tilt * (at.blades - at.pivot) / at.blades - moment * (at.blades / (6.0 * s.bending) - 1.0 / (at.blades * s.shear));
   const RigForces& forces = rig.stepper.find_forces(rig.rest.state);
   const Vector3d side = -forces.wall[0], leans = x_axis(rig.rest.state.nodes[0].orientation);
   EXPECT_NEAR(side.dot(towards(toolface)), force, 0.02 * force);
@@ -87,14 +92,16 @@ TEST(Pointing, turningLeavesTheDirectionAlone)
   const double force = moment_at_blades(rig.rest.model->mesh()) / places_of(rig.rest.model->mesh()).blades;
   const double spun = rig.rest.state.nodes[0].spin_angle;
   double off_lean = 0.0, off_side = 0.0, off_force = 0.0;
-  advance(3.0, [&]
-  {
-    const auto off = [](const Vector3d& v) { return std::abs(std::remainder(std::atan2(v.x(), v.y()) - toolface, 2.0 * pi)); };
-    const Vector3d side = -rig.stepper.find_forces(rig.rest.state).wall[0];
-    off_lean = std::max(off_lean, off(rig.rest.state.lean));
-    off_side = std::max(off_side, off(side));
-    off_force = std::max(off_force, std::abs(side.head<2>().norm() - force));
-  });
+  advance(3.0,
+          [&]
+          {
+            const auto off = [](const Vector3d& v)
+            { return std::abs(std::remainder(std::atan2(v.x(), v.y()) - toolface, 2.0 * pi)); };
+            const Vector3d side = -rig.stepper.find_forces(rig.rest.state).wall[0];
+            off_lean = std::max(off_lean, off(rig.rest.state.lean));
+            off_side = std::max(off_side, off(side));
+            off_force = std::max(off_force, std::abs(side.head<2>().norm() - force));
+          });
   EXPECT_GT(rig.rest.state.nodes[0].spin_angle - spun, 5.9 * 2.0 * pi);
   EXPECT_LT(off_lean, 0.01 * degree);
   EXPECT_LT(off_side, 1.0 * degree);

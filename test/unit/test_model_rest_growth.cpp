@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Static friction that grows while a contact rests: the law, the clock of a contact, and where the energy of breaking loose goes.
 #include <gtest/gtest.h>
 
@@ -142,8 +143,8 @@ TEST(RestGrowth, keepsTheEnergyBalanceWhenAContactBreaksLoose)
   EXPECT_LT(e.closure(), 5e-3);
 }
 
-// The same pipe under IDA and under small steps of the default: at rest, breaking loose, sliding through two sections. A contact breaks
-// loose at a step's end, in both: seen 4.0, 3.5 and 1.2 % at steps of 2, 1 and 0.5 ms.
+// The same pipe under IDA and under small steps of the default: at rest, breaking loose, sliding through two sections. A contact
+// breaks loose at a step's end, in both: seen 4.0, 3.5 and 1.2 % at steps of 2, 1 and 0.5 ms.
 TEST(RestGrowth, isTheSameInTheReference)
 {
   Scene scene = growing_scene();

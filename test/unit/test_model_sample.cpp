@@ -1,5 +1,6 @@
-// The forces of a rig in which everything acts, told apart in three ways: by account, by stage and as a motion given outright. They must be the
-// same.
+// SPDX-License-Identifier: BSD-3-Clause
+// The forces of a rig in which everything acts, told apart in three ways: by account, by stage and as a motion given outright.
+// They must be the same.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -24,8 +25,8 @@ namespace
 {
 constexpr double step = 0.01;  // [s]
 
-/// A bent motor that drills in an inclined hole, its string held fast at `stuck`; all nodes move, and those in the hole are pushed into the
-/// low side. Elements whose weight acts at their ends alone, so that it is known by hand.
+/// A bent motor that drills in an inclined hole, its string held fast at `stuck`; all nodes move, and those in the hole are
+/// pushed into the low side. Elements whose weight acts at their ends alone, so that it is known by hand.
 struct Drilling
 {
   RigAtRest rig;
@@ -34,7 +35,8 @@ struct Drilling
   std::vector<double> u;
   EnergySample sample;
 
-  explicit Drilling(int stuck, bool tilting = true) : rig(placed()), stage(*rig.model), work(*rig.model), u(6 * rig.model->nodes(), 0.0)
+  explicit Drilling(int stuck, bool tilting = true)
+      : rig(placed()), stage(*rig.model), work(*rig.model), u(6 * rig.model->nodes(), 0.0)
   {
     State& state = rig.state;
     state.flow = 0.03;
@@ -88,7 +90,10 @@ struct Drilling
     return scene;
   }
   const Model& model() const { return *rig.model; }
-  Vector6d part(NodeForce kind, int i) const { return Eigen::Map<const Vector6d>(sample.force[static_cast<std::size_t>(kind)].data() + 6 * i); }
+  Vector6d part(NodeForce kind, int i) const
+  {
+    return Eigen::Map<const Vector6d>(sample.force[static_cast<std::size_t>(kind)].data() + 6 * i);
+  }
   /// Of the elements, the bit and the block, as a force [N].
   Vector3d weight_of_elements(int i) const
   {
@@ -105,8 +110,8 @@ struct Drilling
   /// What contacts, rock, film and stuck point want on a node; without the bit's weight.
   Vector6d contact(int i) const
   {
-    Vector6d out = part(NodeForce::wall, i) + part(NodeForce::wall_damping, i) + part(NodeForce::friction, i) + part(NodeForce::ledge, i) +
-                   part(NodeForce::squeeze_film, i) + part(NodeForce::stuck_point, i);
+    Vector6d out = part(NodeForce::wall, i) + part(NodeForce::wall_damping, i) + part(NodeForce::friction, i) +
+                   part(NodeForce::ledge, i) + part(NodeForce::squeeze_film, i) + part(NodeForce::stuck_point, i);
     if (i > 0) return out;
     out.head<3>() += sample.bottom + sample.bottom_damping;
     out.tail<3>() += sample.bit_torque * work.nodes[0].axis;
@@ -121,7 +126,8 @@ struct Drilling
 };
 }  // namespace
 
-// Each force has its account, and weight, line and drive theirs: nothing is booked that does not act, nothing acts that is not booked.
+// Each force has its account, and weight, line and drive theirs: nothing is booked that does not act, nothing acts that is not
+// booked.
 TEST(Sample, itsPartsAddUpToTheResidual)
 {
   for (const int stuck : {0, 3})
@@ -144,8 +150,10 @@ TEST(Sample, itsPartsAddUpToTheResidual)
       if (i == 0) sum.head<3>() -= d.weight_of_bit();
       if (i == d.model().top())
       {
-        sum[2] += standard_gravity * d.model().scene().rig.hoisting.block_mass - d.sample.hook_force - d.sample.line_damping - d.sample.block_resistance;
-        sum[5] += d.model().scene().rig.top_drive.meter_stiffness * (d.rig.state.drive.meter_twist + d.sample.rotor_increment - node.spin);
+        sum[2] += standard_gravity * d.model().scene().rig.hoisting.block_mass - d.sample.hook_force - d.sample.line_damping -
+                  d.sample.block_resistance;
+        sum[5] += d.model().scene().rig.top_drive.meter_stiffness *
+                  (d.rig.state.drive.meter_twist + d.sample.rotor_increment - node.spin);
         for (const int k : {0, 1, 3, 4}) sum[k] = 0.0;
       }
       const Vector6d residual = d.part(NodeForce::unsolved, i);
@@ -188,15 +196,20 @@ TEST(Sample, rigAndBitAreThoseOfTheStep)
   EXPECT_NEAR(s.bottom_elastic + s.bottom_damped, forces.wob, 1e-9 * forces.wob);
   ASSERT_GT(forces.wob, 1e3);
   for (int i = 0; i < d.model().nodes(); ++i)
-    EXPECT_LT((Eigen::Map<const Vector6d>(s.rate.data() + 6 * i) - Eigen::Map<const Vector6d>(s.increment.data() + 6 * i) / step).norm(), 1e-9) << i;
+    EXPECT_LT((Eigen::Map<const Vector6d>(s.rate.data() + 6 * i) - Eigen::Map<const Vector6d>(s.increment.data() + 6 * i) / step)
+                  .norm(),
+              1e-9)
+        << i;
 }
 
-// At the same places and rates, whoever integrates them: the string's forces, and those at its contacts, the bit's as a body of its own.
+// At the same places and rates, whoever integrates them: the string's forces, and those at its contacts, the bit's as a body of
+// its own.
 TEST(Sample, aMotionGivenOutrightMeetsTheSameForces)
 {
   const Drilling d(3, false);  // where nothing has tilted the section's old axis is its present one
   GivenMotion motion;
-  for (const NodeMotion& node : d.work.nodes) motion.nodes.push_back({node.position, node.orientation, node.increment, node.rate});
+  for (const NodeMotion& node : d.work.nodes)
+    motion.nodes.push_back({node.position, node.orientation, node.increment, node.rate});
   motion.bit = motion.nodes[0];
   Workspace work(d.model());
   const std::size_t n = d.u.size();

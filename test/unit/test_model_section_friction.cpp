@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Static ratio and Stribeck speed of a hole section: a bit pressed into the wall there slides by them, elsewhere by the scene's.
 #include <gtest/gtest.h>
 

@@ -1,5 +1,6 @@
-// Contact between the nodes: where an element's middle is and how it moves, what its force does to the ends, and what it is for: a joint
-// of pipe under compression does not bow through the wall.
+// SPDX-License-Identifier: BSD-3-Clause
+// Contact between the nodes: where an element's middle is and how it moves, what its force does to the ends, and what it is for:
+// a joint of pipe under compression does not bow through the wall.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -77,7 +78,8 @@ TEST(Span, middleIsOnTheCubicAndMovesAsItsEndsSay)
   const SpanMotion& span = p.work.spans[element];
   EXPECT_LT((span.position - middle_after(p, 0.0)).norm(), 1e-12);
   const Vector6d &lower = p.work.nodes[element].rate, &upper = p.work.nodes[element + 1].rate;
-  const Vector3d speed = 0.5 * (lower + upper).head<3>() + upper.tail<3>().cross(span.upper_arm) + lower.tail<3>().cross(span.lower_arm);
+  const Vector3d speed =
+      0.5 * (lower + upper).head<3>() + upper.tail<3>().cross(span.upper_arm) + lower.tail<3>().cross(span.lower_arm);
   constexpr double h = 1e-5;
   EXPECT_LT((speed - (middle_after(p, h) - middle_after(p, -h)) / (2.0 * h)).norm(), 1e-8);
 }
@@ -94,20 +96,20 @@ TEST(Span, forceIsSharedByItsEnds)
   ASSERT_GT(p.work.result.forces.span_contact[element], 50.0);
   const Vector6d lower = -p.on(element), upper = -p.on(element + 1);
   EXPECT_LT((lower.head<3>() + upper.head<3>() - force).norm(), 1e-9 * force.norm());
-  for (int i = 0; i < p.rig.model->nodes(); ++i)
-    EXPECT_EQ(p.on(i).norm() > 0.0, i == element || i == element + 1) << i;
+  for (int i = 0; i < p.rig.model->nodes(); ++i) EXPECT_EQ(p.on(i).norm() > 0.0, i == element || i == element + 1) << i;
 
   // the friction, on the pipe's surface, turns it
   const double radius = 0.5 * p.rig.model->mesh().elements[element].outer_diameter;
   const Vector3d outward = (span.position - span.closest.centre).normalized();
   const Vector3d moment = radius * outward.cross(force);
   const Vector6d &rate_lower = p.work.nodes[element].rate, &rate_upper = p.work.nodes[element + 1].rate;
-  const Vector3d speed =
-      0.5 * (rate_lower + rate_upper).head<3>() + rate_upper.tail<3>().cross(span.upper_arm) + rate_lower.tail<3>().cross(span.lower_arm);
+  const Vector3d speed = 0.5 * (rate_lower + rate_upper).head<3>() + rate_upper.tail<3>().cross(span.upper_arm) +
+                         rate_lower.tail<3>().cross(span.lower_arm);
   const double power = force.dot(speed) + moment.dot(0.5 * (rate_lower + rate_upper).tail<3>());
   EXPECT_NEAR(lower.dot(rate_lower) + upper.dot(rate_upper), power, 1e-6 * std::abs(power));
 
-  const auto about = [](const Vector6d& wrench, const Vector3d& at) { return Vector3d(wrench.tail<3>() + at.cross(wrench.head<3>())); };
+  const auto about = [](const Vector6d& wrench, const Vector3d& at)
+  { return Vector3d(wrench.tail<3>() + at.cross(wrench.head<3>())); };
   const Vector3d sum = about(lower, p.rig.state.nodes[element].position) + about(upper, p.rig.state.nodes[element + 1].position);
   const Vector3d wanted = moment + span.position.cross(force);
   // the arms are along the normals, the chord is a thousandth of a metre off them

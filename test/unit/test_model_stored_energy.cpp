@@ -1,5 +1,6 @@
-// What a rig holds at an instant, each store by its formula with a number of its own: a balance over a long run would not miss a small one.
-// And the sums of the accounts.
+// SPDX-License-Identifier: BSD-3-Clause
+// What a rig holds at an instant, each store by its formula with a number of its own: a balance over a long run would not miss a
+// small one. And the sums of the accounts.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -99,7 +100,8 @@ TEST(Stored, stuckPoint)
   }
 }
 
-// A pipe whose end turns in place sags by w L/12 (1 - cos) where the element has the end moments of its weight, and not at all elsewhere.
+// A pipe whose end turns in place sags by w L/12 (1 - cos) where the element has the end moments of its weight, and not at all
+// elsewhere.
 TEST(Stored, weightAtAnEndThatTurns)
 {
   for (const ElementKind kind : {ElementKind::corotational, ElementKind::geometrically_exact, ElementKind::rotation_vector})
@@ -120,14 +122,15 @@ TEST(Stored, weightAtAnEndThatTurns)
   }
 }
 
-// Strung line of length L_0 under the tension F = load / (2 n) holds F^2 L_0 / (2 E A); the drive J w^2 / 2, its meter k_m twist^2 / 2, what its
-// brake holds 1e7 z^2 / 2.
+// Strung line of length L_0 under the tension F = load / (2 n) holds F^2 L_0 / (2 E A); the drive J w^2 / 2, its meter k_m
+// twist^2 / 2, what its brake holds 1e7 z^2 / 2.
 TEST(Stored, lineAndDrive)
 {
   RigAtRest rig = rig_at_rest();
   const HoistingSpec& hoisting = rig.model->scene().rig.hoisting;
   const double load = rig.statics.top_force + standard_gravity * hoisting.block_mass;
-  const double tension = load / (2.0 * hoisting.sheaves), expected = 0.5 * tension * tension * rig.state.hoist.line_length / hoisting.line_ea;
+  const double tension = load / (2.0 * hoisting.sheaves),
+               expected = 0.5 * tension * tension * rig.state.hoist.line_length / hoisting.line_ea;
   EXPECT_NEAR(expected, stored(rig).line, 1e-6 * expected);
   const TopDriveSpec& drive = rig.model->scene().rig.top_drive;
   rig.state.drive.speed = 3.0;
@@ -163,11 +166,11 @@ TEST(Accounts, addUpEveryTermOnce)
   };
   const double input = fill({&e.winch, &e.drive, &e.pump, &e.gravity, &e.handled});
   StoredEnergy &now = e.last, &before = e.first;
-  const double held = fill({&now.kinetic, &now.turning, &now.rotor, &now.beams, &now.line, &now.meter, &now.gear, &now.block, &now.wall, &now.bottom, &now.bristles,
-                            &now.bit_bristle, &now.stuck_point}) -
+  const double held = fill({&now.kinetic, &now.turning, &now.rotor, &now.beams, &now.line, &now.meter, &now.gear, &now.block,
+                            &now.wall, &now.bottom, &now.bristles, &now.bit_bristle, &now.stuck_point}) -
                       fill({&before.kinetic, &before.beams});
-  const double lost = fill({&e.wall_friction, &e.wall_damping, &e.bottom_damping, &e.squeeze_film, &e.mud, &e.structural, &e.block, &e.gearbox, &e.motor_slip,
-                            &e.stuck_point_released, &e.ledge, &e.added_mass});
+  const double lost = fill({&e.wall_friction, &e.wall_damping, &e.bottom_damping, &e.squeeze_film, &e.mud, &e.structural,
+                            &e.block, &e.gearbox, &e.motor_slip, &e.stuck_point_released, &e.ledge, &e.added_mass});
   const double rock = fill({&e.rock_thrust, &e.rock_torque}), correction = fill({&e.correction});
   const double numerical = fill({&e.of_inertia, &e.of_beams, &e.of_contact, &e.of_line, &e.of_residual, &e.of_rebasing});
   now.weight = before.weight = 1e20;  // no store of its own

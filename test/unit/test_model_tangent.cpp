@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The tangent of the whole model against finite differences of its residual, in every situation that has terms of its own.
 #include <gtest/gtest.h>
 
@@ -177,7 +178,8 @@ TEST(ModelTangent, cuttingBladeByBlade)
     rig.run(0.1);
     EXPECT_GT(rig.stepper.find_forces(rig.rest.state).wob, 1000.0);
     const CutGround& ground = rig.rest.state.ground;
-    EXPECT_GT(ground_ahead(ground, scene.string[0].bit->torque.blades, ground.front + 0.01).slope, 1e-4) << "climbs to the blade ahead";
+    EXPECT_GT(ground_ahead(ground, scene.string[0].bit->torque.blades, ground.front + 0.01).slope, 1e-4)
+        << "climbs to the blade ahead";
     expect_exact(rig, 1e-6);  // the cut is linear in its depth
   }
 }
@@ -271,7 +273,8 @@ TEST(ModelTangent, aMotionGivenOutrightMeetsTheSameForces)
   for (int i = 0; i < n; ++i)
   {
     const NodeState& node = state.nodes[i];
-    motion.nodes.push_back({node.position, node.orientation, Vector6d::Zero(), in_step_axes(node.rate, x_axis(node.orientation))});
+    motion.nodes.push_back(
+        {node.position, node.orientation, Vector6d::Zero(), in_step_axes(node.rate, x_axis(node.orientation))});
   }
   motion.bit = motion.nodes.front();
   evaluate_motion(problem.model, state, problem.stage, motion, problem.work, outright.data(), contact.data(), nullptr, nullptr);

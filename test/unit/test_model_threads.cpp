@@ -1,5 +1,6 @@
-// A Model is constant: threads evaluate one at the same time, each with its own Workspace, and get the same bits. ThreadSanitizer looks on
-// where the build asks for it (./test/run --tsan).
+// SPDX-License-Identifier: BSD-3-Clause
+// A Model is constant: threads evaluate one at the same time, each with its own Workspace, and get the same bits. ThreadSanitizer
+// looks on where the build asks for it (./test/run --tsan).
 #include <gtest/gtest.h>
 
 #include <thread>
@@ -33,7 +34,8 @@ std::vector<double> evaluated(const Model& model, const State& state, int times)
     prepare_implicit_euler(state, kStep, stage);
     evaluate(model, state, stage, u.data(), work, residual.data(), &tangent);
   }
-  for (int i = 0; i < model.nodes(); ++i) residual.insert(residual.end(), tangent.diagonal(i).data(), tangent.diagonal(i).data() + 36);
+  for (int i = 0; i < model.nodes(); ++i)
+    residual.insert(residual.end(), tangent.diagonal(i).data(), tangent.diagonal(i).data() + 36);
   return residual;
 }
 }  // namespace

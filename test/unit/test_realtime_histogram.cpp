@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Histograms of times by hand: bounds, percentiles, what was allowed; counted without memory.
 #include <gtest/gtest.h>
 

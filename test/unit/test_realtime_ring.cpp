@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The ring of frames: every frame in order, full and waiting for room, closed with frames still inside, two threads.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Names and priorities of threads; what a machine does not permit is told in one line.
 #include <gtest/gtest.h>
 #include <pthread.h>

@@ -1,5 +1,6 @@
-// The timekeeper against steady times given by hand: absolute deadlines, backlog dropped and counted, speeds, another rig's clock,
-// the wall; and the cadence of what comes at a rate.
+// SPDX-License-Identifier: BSD-3-Clause
+// The timekeeper against steady times given by hand: absolute deadlines, backlog dropped and counted, speeds, another rig's
+// clock, the wall; and the cadence of what comes at a rate.
 #include <gtest/gtest.h>
 
 #include "drill_rig_sim/realtime/cadence.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The triple buffer: the latest value wins, each is read once, and under two threads none is torn or out of order.
 #include <gtest/gtest.h>
 

@@ -1,4 +1,6 @@
-// The way between the rig's state, the reference's unknowns and the stages that energy is booked from; and when the reference starts afresh.
+// SPDX-License-Identifier: BSD-3-Clause
+// The way between the rig's state, the reference's unknowns and the stages that energy is booked from; and when the reference
+// starts afresh.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -103,7 +105,8 @@ TEST(ReferenceRig, beginsWithTheMotionOfTheState)
   EXPECT_EQ(d.dae.motion(block).position, shaft + Vector3d(0.0, 0.0, 4.0));
 }
 
-// Forces and moments that unit accelerations take: the bit leaves the lowest node what the mesh has lumped there, the block is in three parts.
+// Forces and moments that unit accelerations take: the bit leaves the lowest node what the mesh has lumped there, the block is in
+// three parts.
 TEST(ReferenceRig, bodiesShareTheInertiaOfNodeAndBlock)
 {
   Interval d;

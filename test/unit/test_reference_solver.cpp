@@ -1,4 +1,6 @@
-// IDA on small systems whose solutions are known: its options, its steps as a watcher sees them, its counts. And the sparse matrix it is given.
+// SPDX-License-Identifier: BSD-3-Clause
+// IDA on small systems whose solutions are known: its options, its steps as a watcher sees them, its counts. And the sparse
+// matrix it is given.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -74,7 +76,8 @@ public:
 std::vector<double> watched(IdaSolver& ida, double t, std::vector<double>& y, std::vector<double>& rate)
 {
   std::vector<double> times;
-  EXPECT_TRUE(ida.advance(t, y, rate, [&times](double now, const double*, const double*) { times.push_back(now); })) << ida.flag_name();
+  EXPECT_TRUE(ida.advance(t, y, rate, [&times](double now, const double*, const double*) { times.push_back(now); }))
+      << ida.flag_name();
   return times;
 }
 

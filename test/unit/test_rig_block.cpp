@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What hinders the block: friction of its rail, its stops; and what the dead line shows of the sheaves' friction.
 #include <gtest/gtest.h>
 
@@ -26,7 +27,8 @@ TEST(Rail, FrictionByHand)
   EXPECT_NEAR(rail_bristle(spec, 0.0).at(-3e-3, -0.3, 0.01).force, 5148.49, 0.01);
 }
 
-// 34 m up with 407 kN: L_0 = 180 m / (1 + 40.7e3/4e7) = 179.817 m, k = 100 * 4e7 / L_0 = 22.2448 MN/m, c = 0.06 sqrt(k 17500) = 37435 N s/m.
+// 34 m up with 407 kN: L_0 = 180 m / (1 + 40.7e3/4e7) = 179.817 m, k = 100 * 4e7 / L_0 = 22.2448 MN/m, c = 0.06 sqrt(k 17500) =
+// 37435 N s/m.
 TEST(LineDamper, byHand)
 {
   const HoistingSpec spec;
@@ -61,8 +63,8 @@ TEST(Rail, NoFrictionHoldsNothing)
   EXPECT_EQ(f.by_move, 0.0);
 }
 
-// A block on a spring K under Coulomb friction R loses 4 R/K of its amplitude a cycle once it slides both ways, and rests where the friction
-// holds it (any book on vibration). The bristle adds its own give: R/k on either side of each turn.
+// A block on a spring K under Coulomb friction R loses 4 R/K of its amplitude a cycle once it slides both ways, and rests where
+// the friction holds it (any book on vibration). The bristle adds its own give: R/k on either side of each turn.
 TEST(Rail, EndsABounceLinearly)
 {
   const HoistingSpec spec;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Friction of the top drive's gearbox and brake: by hand, solved and given outright alike, coasting, holding.
 #include "top_drive_fixtures.h"
 
@@ -19,7 +20,8 @@ TEST(Brake, FrictionByHand)
   EXPECT_NEAR(d.state.gear_twist, 2e-5 + 8e-5 * 0.01 / 0.025811388, 1e-12);
   EXPECT_EQ(d.by_turn, 0.0);
   EXPECT_EQ(d.by_speed, 0.0);
-  EXPECT_DOUBLE_EQ(drive_torque(spec, torque_command(0.0), running(-5.0, 0.0, 0.0, 2e-5), 0.01, -0.05, -5.0, 0.0).friction, 1000.0);
+  EXPECT_DOUBLE_EQ(drive_torque(spec, torque_command(0.0), running(-5.0, 0.0, 0.0, 2e-5), 0.01, -0.05, -5.0, 0.0).friction,
+                   1000.0);
 }
 
 TEST(Brake, FrictionOfTheSolvedRotorIsTheSame)
@@ -35,19 +37,26 @@ TEST(Brake, FrictionOfTheSolvedRotorIsTheSame)
     double top;
     bool sticks;
   };
-  const Case cases[] = {{"turns", speed_command(5.5), running(5.5, 0.3, 0.006, 1e-4), stage, 0.0275, false},
-                        {"at its limit", speed_command(20.0), running(5.5, 0.3, 0.006, 1e-4), stage, 0.0275, false},
-                        {"backwards", speed_command(-5.5), running(-5.5, -0.3, -0.006, -1e-4), {0.005, 300.0, 90000.0, -0.4, 900.0 - 120.0}, -0.0275, false},
-                        {"gearbox holds", torque_command(300.0), running(0.0, 0.0, 0.0, 1e-5), still, 0.0, true},
-                        {"gearbox gives way", torque_command(3e3), running(0.0, 0.0, 0.0, -1e-4), {0.005, 300.0, 90000.0, 0.1, 30.0}, 0.0, false},
-                        {"brake holds", brake_command(), running(0.0, 0.0, 0.03, -3e-3, true), still, 0.0, true},
-                        {"brake by itself", speed_command(0.0), running(0.0, 6.0, 0.03, 0.0), still, 0.0, true},
-                        {"brake slips", brake_command(), running(5.5, 0.0, 0.0, 0.0), stage, 0.0275, false}};
+  const Case cases[] = {
+      {"turns", speed_command(5.5), running(5.5, 0.3, 0.006, 1e-4), stage, 0.0275, false},
+      {"at its limit", speed_command(20.0), running(5.5, 0.3, 0.006, 1e-4), stage, 0.0275, false},
+      {"backwards",
+       speed_command(-5.5),
+       running(-5.5, -0.3, -0.006, -1e-4),
+       {0.005, 300.0, 90000.0, -0.4, 900.0 - 120.0},
+       -0.0275,
+       false},
+      {"gearbox holds", torque_command(300.0), running(0.0, 0.0, 0.0, 1e-5), still, 0.0, true},
+      {"gearbox gives way", torque_command(3e3), running(0.0, 0.0, 0.0, -1e-4), {0.005, 300.0, 90000.0, 0.1, 30.0}, 0.0, false},
+      {"brake holds", brake_command(), running(0.0, 0.0, 0.03, -3e-3, true), still, 0.0, true},
+      {"brake by itself", speed_command(0.0), running(0.0, 6.0, 0.03, 0.0), still, 0.0, true},
+      {"brake slips", brake_command(), running(5.5, 0.0, 0.0, 0.0), stage, 0.0275, false}};
   for (const Case& c : cases)
   {
     SCOPED_TRACE(c.name);
     const RotorResult solved = check(spec, c.command, c.start, c.stage, c.top);
-    const DriveTorque drive = drive_torque(spec, c.command, c.start, c.stage.time, solved.increment, solved.state.speed, solved.state.meter_twist);
+    const DriveTorque drive =
+        drive_torque(spec, c.command, c.start, c.stage.time, solved.increment, solved.state.speed, solved.state.meter_twist);
     EXPECT_NEAR(drive.motor, solved.motor_torque, 1e-6);
     EXPECT_NEAR(drive.friction, solved.friction, 1e-5);
     EXPECT_NEAR(drive.state.gear_twist, solved.state.gear_twist, 1e-12);
@@ -85,7 +94,8 @@ TEST(Brake, TheBrakeHoldsAWoundStringWithoutCreep)
   for (int i = 0; i < 30000; ++i)
   {
     EXPECT_TRUE(brake_is_on(spec, speed_command(0.0), state));
-    const RotorResult r = solve_rotor(spec, speed_command(0.0), state, euler(0.01, state.speed), -turned);  // the string's top goes back as it turns: a soft string
+    const RotorResult r = solve_rotor(spec, speed_command(0.0), state, euler(0.01, state.speed),
+                                      -turned);  // the string's top goes back as it turns: a soft string
     turned += r.increment;
     state = r.state;
     state.meter_twist = 0.03;

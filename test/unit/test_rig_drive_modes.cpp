@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Top drive: ramps, turning to an angle, rocking, and the impedance that SOFT_TORQUE and Z_TORQUE put in front of the string.
 #include <complex>
 #include <functional>
@@ -282,7 +283,8 @@ TEST(DriveModes, ModesTakeOverWithoutABump)
   spec.z_torque = {400.0, 60.0, 0.98};
   FreeRotor rotor(spec);
   for (int i = 0; i < 4000; ++i) rotor.step(speed_command(5.0), 0.005, 9e3);
-  for (const TopDriveMode mode : {TopDriveMode::soft_torque, TopDriveMode::z_torque, TopDriveMode::speed, TopDriveMode::torque, TopDriveMode::soft_torque})
+  for (const TopDriveMode mode :
+       {TopDriveMode::soft_torque, TopDriveMode::z_torque, TopDriveMode::speed, TopDriveMode::torque, TopDriveMode::soft_torque})
   {
     TopDriveSetpoint command = speed_command(5.0);
     command.mode = mode;
@@ -307,7 +309,8 @@ TEST(DriveModes, DroopSlowsDownInProportionToTheTorque)
   }
 }
 
-// Nor does one amid the string's waves and against the gearbox's friction, which Z_TORQUE carries fifty times lighter than the others.
+// Nor does one amid the string's waves and against the gearbox's friction, which Z_TORQUE carries fifty times lighter than the
+// others.
 TEST(DriveModes, ModesTakeOverAmidWaves)
 {
   TopDriveSpec spec;
@@ -324,7 +327,8 @@ TEST(DriveModes, ModesTakeOverAmidWaves)
   };
   double before = 0.0;
   for (int i = 0; i < 4000; ++i) before = step(TopDriveMode::speed);
-  for (const TopDriveMode mode : {TopDriveMode::z_torque, TopDriveMode::speed, TopDriveMode::soft_torque, TopDriveMode::z_torque, TopDriveMode::soft_torque})
+  for (const TopDriveMode mode : {TopDriveMode::z_torque, TopDriveMode::speed, TopDriveMode::soft_torque, TopDriveMode::z_torque,
+                                  TopDriveMode::soft_torque})
   {
     EXPECT_NEAR(step(mode), before, 150.0) << static_cast<int>(mode);
     for (int i = 0; i < 777; ++i) before = step(mode);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What SOFT_TORQUE and Z_TORQUE are tuned to: the pipe's impedance and the string's slowest torsion, against closed forms.
 #include <gtest/gtest.h>
 

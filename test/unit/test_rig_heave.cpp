@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The floor of a floating rig: regular waves that come up from rest.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Hoisting: line statics, winch ramps and limits, steady block speed.
 #include <gtest/gtest.h>
 
@@ -180,8 +181,8 @@ TEST(Winch, LeastHookLoadStopsLoweringOnly)
   EXPECT_EQ(advance_winch(spec, velocity(-0.2), line, -0.2, 20.0, 0.0, 0.01).speed, -0.2) << "off: slack line is paid out";
 }
 
-// A block of mass m under its weight W and lines that carry F at most: it sinks with (W - F)/m from rest, the lines' pull off F by what the
-// block's acceleration does within a step, k a h^2/2.
+// A block of mass m under its weight W and lines that carry F at most: it sinks with (W - F)/m from rest, the lines' pull off F
+// by what the block's acceleration does within a step, k a h^2/2.
 TEST(SlippingBrake, LetsTheBlockSinkByWhatItDoesNotHold)
 {
   const HoistingSpec spec;

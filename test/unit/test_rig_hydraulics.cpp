@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The mud's two volumes: closed forms of filling and emptying, conservation, relief valve, gel, the motor's leakage, ECD.
 #include <gtest/gtest.h>
 
@@ -78,7 +79,8 @@ TEST(Hydraulics, fillsLikeACapacityBehindAResistance)
   }
 }
 
-// m = 2, pump off: C dp/dt = -Q with p = P (Q/Q_n)^2 makes Q fall at Q_n^2/(2 P C) = 0.025 m3/s2: from 0.045 it stands after 1.8 s.
+// m = 2, pump off: C dp/dt = -Q with p = P (Q/Q_n)^2 makes Q fall at Q_n^2/(2 P C) = 0.025 m3/s2: from 0.045 it stands after 1.8
+// s.
 TEST(Hydraulics, emptiesInAFiniteTime)
 {
   Rig rig(bore_alone());
@@ -105,7 +107,8 @@ TEST(Hydraulics, settlesWhereTheLossesSay)
   EXPECT_DOUBLE_EQ(rig.state.stand_pipe_pressure, before.stand_pipe_pressure) << "it stands";
 }
 
-// A string that displaces a sixth of the nominal flow, up or down; with the pump's flow where it goes the same way, against it else.
+// A string that displaces a sixth of the nominal flow, up or down; with the pump's flow where it goes the same way, against it
+// else.
 TEST(Hydraulics, stringThatMovesSurgesAndSwabs)
 {
   Rig rig(whole());
@@ -181,7 +184,8 @@ TEST(Hydraulics, losesNoMudAsTheStringMoves)
       rig.displaced = flow;
       rig.run(60.0, 0.0, step);
       displaced += 60.0 * flow;
-      EXPECT_NEAR(displaced, rig.returned + 4e-8 * rig.state.annulus_pressure + capacity * rig.state.stand_pipe_pressure, 1e-9) << step << " " << flow;
+      EXPECT_NEAR(displaced, rig.returned + 4e-8 * rig.state.annulus_pressure + capacity * rig.state.stand_pipe_pressure, 1e-9)
+          << step << " " << flow;
       EXPECT_LT(std::abs(rig.state.annulus_pressure), 0.8e6) << step;
     }
   }
@@ -230,7 +234,8 @@ TEST(Hydraulics, gelIsBrokenBeforeMudFlows)
   EXPECT_NEAR(1.0 - rig.state.bore_gel, (1.0 - now) * std::exp(-3.0), 1e-6) << "95 % in ten minutes";
 }
 
-// 0.9 MPa of gel in the annulus take 36 l, with the gel of the bore, 0.6 MPa, long broken by then: the annulus's is what the pump meets.
+// 0.9 MPa of gel in the annulus take 36 l, with the gel of the bore, 0.6 MPa, long broken by then: the annulus's is what the pump
+// meets.
 TEST(Hydraulics, gelOfTheAnnulusBearsAfterThatOfTheBoreIsBroken)
 {
   HydraulicCircuit c = whole();

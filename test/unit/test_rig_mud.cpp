@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Mud pump and mud motor: hand figures, stall, the motor's lag.
 #include <gtest/gtest.h>
 
@@ -48,7 +49,8 @@ TEST(MudMotor, SpeedHoldsUntilNearStall)
 {
   // 0.045 m3/s at 0.024 m3/rev: 1.875 rev/s
   const double free = 1.875 * 2.0 * pi;
-  const auto speed = [](double torque, double exponent) { return mud_motor_steady_speed(0.045, displacement, stall, exponent, torque); };
+  const auto speed = [](double torque, double exponent)
+  { return mud_motor_steady_speed(0.045, displacement, stall, exponent, torque); };
   EXPECT_NEAR(speed(0.0, 4.0).value, free, 1e-12);
   EXPECT_NEAR(speed(3e3, 1.0).value, 0.75 * free, 1e-12);
   EXPECT_NEAR(speed(6e3, 4.0).value, 0.9375 * free, 1e-12);
@@ -93,7 +95,9 @@ TEST(MudMotor, PressureDoesTheWorkOfTheTorque)
   // ideal motor: dp V = 2 pi T per revolution
   EXPECT_NEAR(mud_motor_pressure(0.045, displacement, 4e3) * displacement, 2.0 * pi * 4e3, 1e-9);
   EXPECT_EQ(mud_motor_pressure(0.0, displacement, 4e3), 0.0);
-  EXPECT_DOUBLE_EQ(mud_motor_pressure(0.5 * mud_motor_leakage, displacement, 4e3), 0.5 * mud_motor_pressure(0.045, displacement, 4e3)) << "it leaks";
+  EXPECT_DOUBLE_EQ(mud_motor_pressure(0.5 * mud_motor_leakage, displacement, 4e3),
+                   0.5 * mud_motor_pressure(0.045, displacement, 4e3))
+      << "it leaks";
   EXPECT_EQ(mud_motor_pressure(0.045, displacement, -4e3), 0.0);
   // never more power out than in, also of what flows on behind a pump that stands
   for (const double flow : {0.045, 1.9 * mud_motor_leakage, 0.9 * mud_motor_leakage, 0.1 * mud_motor_leakage})
@@ -109,8 +113,10 @@ TEST(MudMotor, FlowBelowItsLeakageDoesNotTurnIt)
 {
   const double free = 2.0 * pi / displacement;  // [rad/s per m3/s]
   EXPECT_EQ(mud_motor_steady_speed(0.99 * mud_motor_leakage, displacement, stall, 4.0, 1e3).value, 0.0);
-  EXPECT_NEAR(mud_motor_steady_speed(1.5 * mud_motor_leakage, displacement, stall, 4.0, 0.0).value, 0.75 * mud_motor_leakage * free, 1e-12);
-  EXPECT_NEAR(mud_motor_steady_speed(2.0 * mud_motor_leakage, displacement, stall, 4.0, 0.0).value, 2.0 * mud_motor_leakage * free, 1e-12);
+  EXPECT_NEAR(mud_motor_steady_speed(1.5 * mud_motor_leakage, displacement, stall, 4.0, 0.0).value,
+              0.75 * mud_motor_leakage * free, 1e-12);
+  EXPECT_NEAR(mud_motor_steady_speed(2.0 * mud_motor_leakage, displacement, stall, 4.0, 0.0).value,
+              2.0 * mud_motor_leakage * free, 1e-12);
 }
 
 TEST(MudMotor, LagsByItsTimeConstantAndSettlesExactly)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Top drive: condensation of the rotor, speed loop against its analytic step response, saturation, modes.
 #include <complex>
 
@@ -57,7 +58,8 @@ TEST(TopDrive, TheMotorOnItsOwnAgreesWithTheSolvedRotor)
   {
     SCOPED_TRACE(c.name);
     const RotorResult solved = solve_rotor(c.spec, c.command, start, stage, 0.0275);
-    const DriveTorque motor = drive_torque(c.spec, c.command, start, stage.time, solved.increment, solved.state.speed, solved.state.meter_twist);
+    const DriveTorque motor =
+        drive_torque(c.spec, c.command, start, stage.time, solved.increment, solved.state.speed, solved.state.meter_twist);
     EXPECT_NEAR(motor.motor, solved.motor_torque, 1e-6);
     EXPECT_NEAR(motor.state.integral, solved.state.integral, 1e-9);
     EXPECT_EQ(motor.state.limited, c.limited);
@@ -68,8 +70,8 @@ TEST(TopDrive, TheMotorOnItsOwnAgreesWithTheSolvedRotor)
   }
 }
 
-// A step in which the loop reaches its limit: I stops where the law is at it, of 0.3 + 0.2 - 0.12 = 0.38 rad that it would come to: 8 kN m come
-// from the error of 0.4 rad/s, the rest from I.
+// A step in which the loop reaches its limit: I stops where the law is at it, of 0.3 + 0.2 - 0.12 = 0.38 rad that it would come
+// to: 8 kN m come from the error of 0.4 rad/s, the rest from I.
 TEST(TopDrive, TheSolvedRotorStopsItsIntegralWithinAStep)
 {
   const TopDriveSpec spec = smooth();
@@ -115,10 +117,12 @@ TEST(TopDrive, SpeedLoopByHand)
   // a speed beyond the rig's is its limit, either way
   const double most = spec.max_speed, near = most - 0.2;
   EXPECT_NEAR(drive_torque(spec, speed_command(most + 50.0), running(near, 0.0, 0.0), 0.0, 0.0, near, 0.0).motor, 4000.0, 1e-6);
-  EXPECT_NEAR(drive_torque(spec, speed_command(-most - 50.0), running(-near, 0.0, 0.0), 0.0, 0.0, -near, 0.0).motor, -4000.0, 1e-6);
+  EXPECT_NEAR(drive_torque(spec, speed_command(-most - 50.0), running(-near, 0.0, 0.0), 0.0, 0.0, -near, 0.0).motor, -4000.0,
+              1e-6);
 }
 
-// Saturated, the integral moves no deeper than to where the law is at its limit, and freely out of it; k_i |I| never exceeds the limit.
+// Saturated, the integral moves no deeper than to where the law is at its limit, and freely out of it; k_i |I| never exceeds the
+// limit.
 TEST(TopDrive, IntegralStopsWhereTheMotorDoes)
 {
   const TopDriveSpec spec = smooth();
@@ -143,11 +147,13 @@ TEST(TopDrive, IntegralStopsWhereTheMotorDoes)
   EXPECT_NEAR(drive_torque(spec, back, running(0.0, -1.5, 0.0), 0.0, -0.1, 0.0, 0.0).state.integral, -1.4, 1e-12);
   EXPECT_NEAR(drive_torque(spec, back, running(-1.4, -1.9, 0.0), 2.0, 0.0, -1.4, 0.0).state.integral, -2.0, 1e-12);
   // torque mode: I follows the torque
-  EXPECT_NEAR(drive_torque(spec, torque_command(8e3), running(1.0, 0.0, 0.0), 0.01, 0.01, 1.0, 0.0).state.integral, 8e3 / 5e3, 1e-12);
+  EXPECT_NEAR(drive_torque(spec, torque_command(8e3), running(1.0, 0.0, 0.0), 0.01, 0.01, 1.0, 0.0).state.integral, 8e3 / 5e3,
+              1e-12);
   TopDriveSpec proportional = smooth();
   proportional.integral_gain = 0.0;
   EXPECT_EQ(drive_torque(proportional, command, running(0.9, 0.0, 0.0), 0.1, 0.0, 0.9, 0.0).state.integral, 0.0);
-  EXPECT_EQ(drive_torque(proportional, speed_command(1.0), running(0.9, 1.0), 0.0, 0.0, 0.9, 0.0).motor, 20e3 * (1.0 - 0.9)) << "what it held is forgotten";
+  EXPECT_EQ(drive_torque(proportional, speed_command(1.0), running(0.9, 1.0), 0.0, 0.0, 0.9, 0.0).motor, 20e3 * (1.0 - 0.9))
+      << "what it held is forgotten";
 }
 
 // Torque mode is held off by k_p (w_max - w) where that is less, either way, and never pushes on beyond.
@@ -160,7 +166,8 @@ TEST(TopDrive, TorqueModeGivesWayAtTheSpeedLimit)
     const DriveTorque at_limit = drive_torque(spec, torque_command(way * 9e3), running(fast, 0.0, 0.0), 0.0, 0.0, fast, 0.0);
     EXPECT_NEAR(at_limit.motor, way * 2000.0, 1e-6);
     EXPECT_TRUE(at_limit.state.limited);
-    const DriveTorque beyond = drive_torque(spec, torque_command(way * 9e3), running(fast, 0.0, 0.0), 0.0, 0.0, fast + way * 0.2, 0.0);
+    const DriveTorque beyond =
+        drive_torque(spec, torque_command(way * 9e3), running(fast, 0.0, 0.0), 0.0, 0.0, fast + way * 0.2, 0.0);
     EXPECT_NEAR(beyond.motor, -way * 2000.0, 1e-6);
     const DriveTorque braking = drive_torque(spec, torque_command(-way * 9e3), running(fast, 0.0, 0.0), 0.0, 0.0, fast, 0.0);
     EXPECT_NEAR(braking.motor, -way * 9e3, 1e-9);
@@ -181,7 +188,8 @@ TEST(TopDrive, PowerTakesOverFromTorqueAtTheirQuotient)
   EXPECT_NEAR(r.motor_torque, 750e3 / 22.0, 1e-6);
   EXPECT_TRUE(r.state.limited);
   command.torque_limit = 20e3;
-  EXPECT_NEAR(solve_rotor(spec, command, running(22.0, 0.0, 0.0), stage, 0.11).motor_torque, 20e3, 1e-6) << "the command's own is less";
+  EXPECT_NEAR(solve_rotor(spec, command, running(22.0, 0.0, 0.0), stage, 0.11).motor_torque, 20e3, 1e-6)
+      << "the command's own is less";
 }
 
 TEST(TopDrive, StepResponseOfTheSpeedLoop)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What is wrong with /clock, and how far those are that follow it, by times given by hand.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Every field of the messages of a frame against the number that was put into it.
 #include <gtest/gtest.h>
 
@@ -58,12 +59,10 @@ TEST(SetPoints, eachFieldComesFromItsOwn)
   drive.torque_limit = 4.0;
   drive.amplitude_right = 5.0;
   drive.amplitude_left = 6.0;
-  const std::vector<std::pair<std::uint8_t, TopDriveMode>> modes = {{TopDriveCommand::SPEED, TopDriveMode::speed},
-                                                                    {TopDriveCommand::TORQUE, TopDriveMode::torque},
-                                                                    {TopDriveCommand::ANGLE, TopDriveMode::angle},
-                                                                    {TopDriveCommand::SOFT_TORQUE, TopDriveMode::soft_torque},
-                                                                    {TopDriveCommand::Z_TORQUE, TopDriveMode::z_torque},
-                                                                    {TopDriveCommand::OSCILLATE, TopDriveMode::oscillate}};
+  const std::vector<std::pair<std::uint8_t, TopDriveMode>> modes = {
+      {TopDriveCommand::SPEED, TopDriveMode::speed},       {TopDriveCommand::TORQUE, TopDriveMode::torque},
+      {TopDriveCommand::ANGLE, TopDriveMode::angle},       {TopDriveCommand::SOFT_TORQUE, TopDriveMode::soft_torque},
+      {TopDriveCommand::Z_TORQUE, TopDriveMode::z_torque}, {TopDriveCommand::OSCILLATE, TopDriveMode::oscillate}};
   for (const auto& [said, mode] : modes)
   {
     drive.mode = said;
@@ -111,7 +110,8 @@ TEST(Geometry, quaternionsAreNormalised)
 
 TEST(Geometry, pointingTurnsXIntoTheDirection)
 {
-  for (const Eigen::Vector3d& direction : std::vector<Eigen::Vector3d>{{0.0, 0.0, -1.0}, {0.6, 0.0, -0.8}, {0.0, 1.0, 0.0}, {-1.0, 0.0, 0.0}, {1.0, 0.0, 0.0}})
+  for (const Eigen::Vector3d& direction :
+       std::vector<Eigen::Vector3d>{{0.0, 0.0, -1.0}, {0.6, 0.0, -0.8}, {0.0, 1.0, 0.0}, {-1.0, 0.0, 0.0}, {1.0, 0.0, 0.0}})
     expect_turns(pointing(direction), Eigen::Vector3d::UnitX(), direction);
 }
 
@@ -163,7 +163,8 @@ TEST(Bit, truth)
   expect_header(m.header, 12, 345678901);
   EXPECT_EQ(201.0, m.position.x);
   EXPECT_EQ(203.0, m.position.z);
-  EXPECT_EQ((std::vector<double>{1.0, 2.0, 3.0, 4.0, 5.0, 6.0}), (std::vector<double>{m.wob, m.torque, m.speed, m.inclination, m.azimuth, m.toolface}));
+  EXPECT_EQ((std::vector<double>{1.0, 2.0, 3.0, 4.0, 5.0, 6.0}),
+            (std::vector<double>{m.wob, m.torque, m.speed, m.inclination, m.azimuth, m.toolface}));
 }
 
 TEST(DrillstringStateMessage, eachArrayComesFromItsOwn)
@@ -198,7 +199,8 @@ TEST(AccuracyMessage, eachFieldComesFromItsOwn)
   frame.physics.errors = {0.11, 0.12, 0.13, 0.14, 0.15, 0.16};
   frame.physics.companion = {"beam3d", 21, 126, 2.0};
   frame.accuracy.absolute_errors = {31.0, 32.0, 33.0, 34.0, 35.0, 36.0};
-  for (std::size_t i = 0; i < output_count; ++i) frame.accuracy.statistics[i] = {0.41 + 0.01 * i, 0.51 + 0.01 * i, 0.61 + 0.01 * i, 0.71 + 0.01 * i};
+  for (std::size_t i = 0; i < output_count; ++i)
+    frame.accuracy.statistics[i] = {0.41 + 0.01 * i, 0.51 + 0.01 * i, 0.61 + 0.01 * i, 0.71 + 0.01 * i};
   frame.accuracy.needs = need_torque | need_rop;
   frame.accuracy.tolerance = 0.05;
   const Accuracy m = to_accuracy(frame, floor_name);

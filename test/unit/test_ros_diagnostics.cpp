@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What diagnostics say of a frame: each condition alone, its level and its words; the real-time factor and the histogram by hand.
 #include <gtest/gtest.h>
 
@@ -67,6 +68,61 @@ protected:
     return report_.on(frame_, refusals_, trouble, now_);
   }
 };
+
+/// What the frame of eachNumberIsItsOwn says, by key.
+const std::map<std::string, double> own_numbers = {{"simulated_time", 123.5},
+                                                   {"speed", 2.5},
+                                                   {"overruns", 22},
+                                                   {"dropped_seconds", 0.75},
+                                                   {"unpublished_frames", 23},
+                                                   {"longest_frame_ms", 24.5},
+                                                   {"longest_lateness_ms", 0.5},
+                                                   {"pictures_left_out", 25},
+                                                   {"frame_time_p50_ms", 24.5},
+                                                   {"frame_time_p99_ms", 24.5},
+                                                   {"frame_time_p99.9_ms", 24.5},
+                                                   {"frame_time_p99.99_ms", 24.5},
+                                                   {"frame_time_share_below_1_ms", 0.0},
+                                                   {"frame_time_share_below_period", 1.0},
+                                                   {"lateness_p50_ms", 0.5},
+                                                   {"lateness_p99_ms", 0.5},
+                                                   {"lateness_p99.9_ms", 0.5},
+                                                   {"lateness_p99.99_ms", 0.5},
+                                                   {"lateness_share_below_1_ms", 1.0},
+                                                   {"lateness_share_below_period", 0.0},
+                                                   {"step", 0.005},
+                                                   {"last_step", 0.0025},
+                                                   {"nodes", 11},
+                                                   {"coordinates", 12},
+                                                   {"frames", 13},
+                                                   {"steps", 20},
+                                                   {"newton_iterations", 50},
+                                                   {"newton_iterations_per_step", 2.5},
+                                                   {"convergence_failures", 16},
+                                                   {"error_test_failures", 17},
+                                                   {"error_estimate", 1.8e-5},
+                                                   {"clamped", 19},
+                                                   {"refused", 21},
+                                                   {"yield_share", 0.31},
+                                                   {"yield_from_bit", 32.0},
+                                                   {"make_up_share", 0.33},
+                                                   {"make_up_from_bit", 34.0},
+                                                   {"buckling_share", 0.35},
+                                                   {"buckling_from_bit", 36.0},
+                                                   {"error_window", 3.0},
+                                                   {"tolerance", 0.02},
+                                                   {"companion_cost_share", 0.0}};
+const std::map<std::string, std::string> own_words = {{"state", "running"},
+                                                      {"level", "beam3d"},
+                                                      {"integrator", "auto_one"},
+                                                      {"kernel", "sse4"},
+                                                      {"last_refusal", "a refusal"},
+                                                      {"last_clamp", "a clamp"},
+                                                      {"measured_errors", ""},
+                                                      {"companion", ""},
+                                                      {"why_not_measured", "no frame has been compared yet"},
+                                                      {"reason_code", ""},
+                                                      {"active_faults", "pump_trip"}};
 }  // namespace
 
 TEST_F(Report, allIsWell)
@@ -109,20 +165,10 @@ TEST_F(Report, eachNumberIsItsOwn)
   frame_.last_clamp = "a clamp";
   frame_.faults.of_rig = 1u << static_cast<int>(FaultKind::pump_trip);
   const auto array = next();
-  const std::map<std::string, double> expected = {{"simulated_time", 123.5}, {"speed", 2.5}, {"overruns", 22}, {"dropped_seconds", 0.75},
-      {"unpublished_frames", 23}, {"longest_frame_ms", 24.5}, {"longest_lateness_ms", 0.5}, {"pictures_left_out", 25},
-      {"frame_time_p50_ms", 24.5}, {"frame_time_p99_ms", 24.5}, {"frame_time_p99.9_ms", 24.5}, {"frame_time_p99.99_ms", 24.5},
-      {"frame_time_share_below_1_ms", 0.0}, {"frame_time_share_below_period", 1.0}, {"lateness_p50_ms", 0.5}, {"lateness_p99_ms", 0.5},
-      {"lateness_p99.9_ms", 0.5}, {"lateness_p99.99_ms", 0.5}, {"lateness_share_below_1_ms", 1.0}, {"lateness_share_below_period", 0.0}, {"step", 0.005}, {"last_step", 0.0025}, {"nodes", 11}, {"coordinates", 12}, {"frames", 13}, {"steps", 20},
-      {"newton_iterations", 50}, {"newton_iterations_per_step", 2.5}, {"convergence_failures", 16}, {"error_test_failures", 17},
-      {"error_estimate", 1.8e-5}, {"clamped", 19}, {"refused", 21}, {"yield_share", 0.31}, {"yield_from_bit", 32.0}, {"make_up_share", 0.33},
-      {"make_up_from_bit", 34.0}, {"buckling_share", 0.35}, {"buckling_from_bit", 36.0}, {"error_window", 3.0}, {"tolerance", 0.02}, {"companion_cost_share", 0.0}};
-  for (const auto& [key, value] : expected) EXPECT_DOUBLE_EQ(value, number(array, key)) << key;
-  const std::map<std::string, std::string> words = {{"state", "running"}, {"level", "beam3d"}, {"integrator", "auto_one"}, {"kernel", "sse4"},
-      {"last_refusal", "a refusal"}, {"last_clamp", "a clamp"}, {"measured_errors", ""}, {"companion", ""},
-      {"why_not_measured", "no frame has been compared yet"}, {"reason_code", ""}, {"active_faults", "pump_trip"}};
-  for (const auto& [key, value] : words) EXPECT_EQ(value, values(array).at(key)) << key;
-  EXPECT_EQ(expected.size() + words.size() + 2, values(array).size()) << "and two histograms; a real-time factor needs half a second";
+  for (const auto& [key, value] : own_numbers) EXPECT_DOUBLE_EQ(value, number(array, key)) << key;
+  for (const auto& [key, value] : own_words) EXPECT_EQ(value, values(array).at(key)) << key;
+  EXPECT_EQ(own_numbers.size() + own_words.size() + 2, values(array).size())
+      << "and two histograms; a real-time factor needs half a second";
 }
 
 TEST_F(Report, saysWhyTheNumbersMayBeWrong)
@@ -142,15 +188,18 @@ TEST_F(Report, saysHowLargeTheMeasuredErrorsAre)
   frame_.accuracy.needs = need_hook_load | need_torque | need_rop | need_pressure | need_direction;
   frame_.accuracy.tolerance = 0.02;
   const auto array = next();
-  const std::string errors = "hook load 0.31 %, torque 1.2 %, rate of penetration 10 %, stand pipe pressure below 0.01 % (allowed 2 %)";
+  const std::string errors =
+      "hook load 0.31 %, torque 1.2 %, rate of penetration 10 %, stand pipe pressure below 0.01 % (allowed 2 %)";
   EXPECT_EQ("measured errors, relative to the ranges: " + errors, part(array, "accuracy").message);
   EXPECT_EQ(all_well, levels(array)) << "whether that is too much is for the simulator to say";
   const auto said = values(array);
   EXPECT_EQ(errors, said.at("measured_errors"));
   EXPECT_EQ("beam3d, 181 nodes, 1086 coordinates", said.at("companion"));
   EXPECT_EQ("", said.at("why_not_measured"));
-  const std::map<std::string, double> numbers = {{"error_hook_load", 0.00314}, {"error_torque", 0.0125}, {"error_wob", 0.5}, {"error_rop", 0.104},
-      {"error_bit_speed", 0.3}, {"error_stand_pipe_pressure", 5e-6}, {"error_window", 3.0}, {"tolerance", 0.02}, {"companion_cost_share", 1.0}};
+  const std::map<std::string, double> numbers = {
+      {"error_hook_load", 0.00314}, {"error_torque", 0.0125}, {"error_wob", 0.5},
+      {"error_rop", 0.104},         {"error_bit_speed", 0.3}, {"error_stand_pipe_pressure", 5e-6},
+      {"error_window", 3.0},        {"tolerance", 0.02},      {"companion_cost_share", 1.0}};
   for (const auto& [key, value] : numbers) EXPECT_DOUBLE_EQ(value, number(array, key)) << key;
   frame_.accuracy.needs = need_direction;
   EXPECT_EQ("measured errors, relative to the ranges: none for the outputs in `needs`", part(next(), "accuracy").message);
@@ -193,7 +242,8 @@ TEST_F(Report, withoutAStepThereAreNoIterationsPerStep)
 
 TEST_F(Report, statesAreNamed)
 {
-  for (const auto& [state, word] : std::map<RunState, std::string>{{RunState::running, "running"}, {RunState::paused, "paused"}, {RunState::waiting, "waiting for a step"}})
+  for (const auto& [state, word] : std::map<RunState, std::string>{
+           {RunState::running, "running"}, {RunState::paused, "paused"}, {RunState::waiting, "waiting for a step"}})
   {
     frame_.run_state = state;
     const auto array = next();
@@ -326,17 +376,20 @@ TEST(RealTimeFactor, needsHalfASecondAndLeavesPausesOut)
 
 TEST_F(Report, histogramsNameEachBinWhichBeginsAtItsBound)
 {
-  const std::vector<std::int64_t> bins = {100'000, 200'000, 500'000, ms, 2 * ms, 5 * ms, 10 * ms, 20 * ms, second};  // where each ends
+  const std::vector<std::int64_t> bins = {100'000, 200'000, 500'000, ms,    2 * ms,
+                                          5 * ms,  10 * ms, 20 * ms, second};  // where each ends
   for (std::size_t i = 0; i < bins.size(); ++i)
   {
     for (std::size_t n = 0; n < 31 + i; ++n) frame_.loop.frame_times.add(n == 0 && i > 0 ? bins[i - 1] : bins[i] - 1, ms);
     for (std::size_t n = 0; n < 51 + i; ++n) frame_.loop.lateness.add(n == 0 && i > 0 ? bins[i - 1] : bins[i] - 1, ms);
   }
   const auto array = next();
-  EXPECT_EQ("< 0.1 ms: 31, < 0.2 ms: 32, < 0.5 ms: 33, < 1 ms: 34, < 2 ms: 35, < 5 ms: 36, < 10 ms: 37, < 20 ms: 38, >= 20 ms: 39",
-            values(array).at("frame_times"));
-  EXPECT_EQ("< 0.1 ms: 51, < 0.2 ms: 52, < 0.5 ms: 53, < 1 ms: 54, < 2 ms: 55, < 5 ms: 56, < 10 ms: 57, < 20 ms: 58, >= 20 ms: 59",
-            values(array).at("latenesses"));
+  EXPECT_EQ(
+      "< 0.1 ms: 31, < 0.2 ms: 32, < 0.5 ms: 33, < 1 ms: 34, < 2 ms: 35, < 5 ms: 36, < 10 ms: 37, < 20 ms: 38, >= 20 ms: 39",
+      values(array).at("frame_times"));
+  EXPECT_EQ(
+      "< 0.1 ms: 51, < 0.2 ms: 52, < 0.5 ms: 53, < 1 ms: 54, < 2 ms: 55, < 5 ms: 56, < 10 ms: 57, < 20 ms: 58, >= 20 ms: 59",
+      values(array).at("latenesses"));
 }
 
 }  // namespace drill_rig_sim::test_ros_diagnostics

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The simulation loop without a master: what it hands over and when, commands from the mailbox, going back.
 #include <gtest/gtest.h>
 
@@ -75,7 +76,8 @@ TEST(Loop, whatIsDrawnLiesOnTheWell)
 TEST(Loop, theDrawnWellHasAPointAMetreAndItsEnd)
 {
   Scene scene = vertical_scene(30.0, 29.0);
-  scene.well.survey.insert(scene.well.survey.begin() + 1, {{0.5, 0.0, 0.0}, {1.0, 0.0, 0.0}, {1.5, 0.0, 0.0}, {2.25, 0.0, 0.0}, {29.75, 0.0, 0.0}});
+  auto& survey = scene.well.survey;
+  survey.insert(survey.begin() + 1, {{0.5, 0.0, 0.0}, {1.0, 0.0, 0.0}, {1.5, 0.0, 0.0}, {2.25, 0.0, 0.0}, {29.75, 0.0, 0.0}});
   RunningLoop rig(lockstep(), scene);
   std::vector<double> drawn;
   for (const WellNode& node : rig.start().well) drawn.push_back(node.md);
@@ -178,11 +180,7 @@ TEST(Loop, theWellIsHandedOverOncePerSecondWhereItGrows)
     EXPECT_TRUE(frames[pictures[i] - 2].markers_due);
   }
   for (std::size_t i = 1; i < stamps.size(); ++i) EXPECT_EQ(100, stamps[i] - stamps[i - 1]);
-  for (const std::int64_t stamp : stamps)
-  {
-    const FrameOutput& s = frames[stamp - 2];
-    EXPECT_EQ(s.frame.truth.hole_depth, s.well.back().md);
-  }
+  for (const std::int64_t stamp : stamps) EXPECT_EQ(frames[stamp - 2].frame.truth.hole_depth, frames[stamp - 2].well.back().md);
 }
 
 TEST(Loop, theLatestCommandWinsAndIsStampedWhereItsFrameBegins)
@@ -268,7 +266,8 @@ TEST(Loop, anotherRigForgetsWhatWasOnTheWayAndBeginsItsRatesAnew)
   TopDriveCommand turn;
   turn.speed = 1.0;
   rig.mailbox.receive(turn);
-  const FrameOutput s = rig.between([](SimulationLoop& loop) { loop.replace(std::make_unique<Simulator>(vertical_scene(40.0, 39.0))); });
+  const Scene other = vertical_scene(40.0, 39.0);
+  const FrameOutput s = rig.between([&](SimulationLoop& loop) { loop.replace(std::make_unique<Simulator>(other)); });
   EXPECT_TRUE(s.rebuilt && s.new_stamp && s.state_due && s.well_due);
   EXPECT_EQ(4 * period, s.frame.stamp) << "time runs on";
   EXPECT_EQ(40.0, s.frame.truth.hole_depth);
@@ -302,7 +301,7 @@ TEST(Loop, goingBackBringsStateAndProgramAndLeavesTheClock)
   EXPECT_EQ((std::vector<double>{0.01, 0.01, 0.02, 0.02, 0.02, 0.03, 0.03, 0.03}), first);  // lines of 0.05 s and 0.08 s
   rig.mailbox.receive(flow(0.05));
   EXPECT_EQ(0.05, rig.step(1).back().frame.truth.setpoints.pump.flow);  // at 13; the program is over
-  rig.mailbox.receive(flow(0.06));                         // not taken yet
+  rig.mailbox.receive(flow(0.06));                                      // not taken yet
   const FrameOutput back = rig.between([&](SimulationLoop& loop) { loop.go_back(*state, *player, true, commands); });
   EXPECT_EQ(14 * period, back.frame.stamp);
   EXPECT_TRUE(back.restored);
@@ -353,7 +352,7 @@ TEST(Loop, silenceOfAStreamIsNoticedAndThatOfAProgramIsNot)
   }
   rig.mailbox.receive(winch(0.1));
   const std::vector<FrameOutput> frames = rig.step(10);
-  for (int i = 0; i < 10; ++i) EXPECT_EQ(i >= 5, frames[i].frame.truth.commands_timed_out) << i << ": silent for " << 0.01 * i << " s as it begins";
+  for (int i = 0; i < 10; ++i) EXPECT_EQ(i >= 5, frames[i].frame.truth.commands_timed_out) << i << ": silent for i periods";
 }
 
 // A driller's click, a `rostopic pub -1`: each stands until the next one, however few there are.

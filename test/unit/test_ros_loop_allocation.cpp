@@ -1,4 +1,6 @@
-// The simulation thread allocates nothing, with pictures, histograms and snapshots that find no room too: operator new is counted on it.
+// SPDX-License-Identifier: BSD-3-Clause
+// The simulation thread allocates nothing, with pictures, histograms and snapshots that find no room too: operator new is counted
+// on it.
 #include <gtest/gtest.h>
 #include <pthread.h>
 

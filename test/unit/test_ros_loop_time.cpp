@@ -1,5 +1,6 @@
-// The simulation loop and time: a frame that fails, pauses, steps that end early, backlog, what nobody takes, telemetry's latency, another
-// rig's clock.
+// SPDX-License-Identifier: BSD-3-Clause
+// The simulation loop and time: a frame that fails, pauses, steps that end early, backlog, what nobody takes, telemetry's
+// latency, another rig's clock.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -44,7 +45,8 @@ TEST(LoopTime, aFrameThatFailsIsSaidOnceWithTheLastGoodStamp)
   EXPECT_NE("", std::string(last.frame.failure.data()));
   EXPECT_EQ("", std::string(good.frame.failure.data()));
   EXPECT_FALSE(rig.between([](SimulationLoop& loop) { loop.set_paused(true); }).state_again) << "once";
-  const FrameOutput reset = rig.between([](SimulationLoop& loop) { loop.replace(std::make_unique<Simulator>(vertical_scene(40.0, 39.0))); });
+  const FrameOutput reset =
+      rig.between([](SimulationLoop& loop) { loop.replace(std::make_unique<Simulator>(vertical_scene(40.0, 39.0))); });
   EXPECT_EQ(RunState::waiting, reset.frame.run_state);
   EXPECT_EQ("", std::string(reset.frame.failure.data()));
   EXPECT_EQ(last.frame.stamp + 5 * period, reset.frame.stamp);
@@ -105,7 +107,8 @@ TEST(LoopTime, whileTimeStandsARefreshIsOnePicture)
   rig.loop.refresh();
   const FrameOutput picture = rig.output(1);
   EXPECT_EQ(first.frame.stamp, picture.frame.stamp);
-  EXPECT_TRUE(!picture.new_stamp && picture.markers_due && picture.well_due && !picture.state_due && !picture.tf_due && !picture.profile_due);
+  EXPECT_TRUE(!picture.new_stamp && picture.markers_due && picture.well_due && !picture.state_due && !picture.tf_due &&
+              !picture.profile_due);
   EXPECT_FALSE(picture.state_again);
   EXPECT_EQ(2u, rig.count());
 }
@@ -175,7 +178,8 @@ TEST(LoopTime, framesThatNobodyTakesAreCounted)
   EXPECT_EQ(0u, last.loop.unpublished_frames);
   const FrameRecord after = take();
   EXPECT_GE(after.loop.unpublished_frames, 17u);
-  EXPECT_EQ(after.stamp - last.stamp, static_cast<std::int64_t>(after.loop.unpublished_frames + 1) * period) << "each missing stamp is counted";
+  EXPECT_EQ(after.stamp - last.stamp, static_cast<std::int64_t>(after.loop.unpublished_frames + 1) * period)
+      << "each missing stamp is counted";
   loop.halt();
   loop.join();
 }
@@ -278,7 +282,8 @@ TEST(LoopTime, theStringToo)
   EXPECT_FALSE(rig.output(2).profile_due) << "no stamp is sent twice";
   rig.loop.subscriptions().profile_missing = true;
   const std::vector<FrameOutput> frames = rig.step(20);
-  EXPECT_EQ(2, std::count_if(frames.begin(), frames.end(), [](const FrameOutput& s) { return s.profile_due; })) << "while time runs on at its rate alone";
+  EXPECT_EQ(2, std::count_if(frames.begin(), frames.end(), [](const FrameOutput& s) { return s.profile_due; }))
+      << "while time runs on at its rate alone";
   EXPECT_FALSE(rig.loop.subscriptions().profile_missing);
 }
 
@@ -287,7 +292,8 @@ TEST(LoopTime, aPauseShowsTheStringAsItStands)
   RunningLoop rig(lockstep());
   rig.loop.subscriptions().profile = true;
   EXPECT_TRUE(rig.start().profile_due);
-  const auto pause = [&rig](bool paused) { return rig.between([&](SimulationLoop& loop) { loop.set_paused(paused); }).profile_due; };
+  const auto pause = [&rig](bool paused)
+  { return rig.between([&](SimulationLoop& loop) { loop.set_paused(paused); }).profile_due; };
   EXPECT_FALSE(pause(true)) << "no stamp is sent twice";
   EXPECT_FALSE(pause(false));
   EXPECT_FALSE(rig.step(1).at(0).profile_due) << "ten profiles a second";
@@ -306,7 +312,8 @@ TEST(LoopTime, itSaysWhetherTimeStands)
   const auto after = [&rig](bool paused)
   {
     rig.between([&](SimulationLoop& loop) { loop.set_paused(paused); });
-    for (int i = 0; i < 200 && rig.loop.subscriptions().time_stands != paused; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    for (int i = 0; i < 200 && rig.loop.subscriptions().time_stands != paused; ++i)
+      std::this_thread::sleep_for(std::chrono::milliseconds(50));
     return rig.loop.subscriptions().time_stands == paused;
   };
   EXPECT_TRUE(after(true));

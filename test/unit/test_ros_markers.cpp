@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The picture for rviz against one drawn by hand: places with lateral exaggeration, sizes, colours at both ends of their scale.
 #include <gtest/gtest.h>
 
@@ -75,8 +76,10 @@ TEST(Markers, eachHasItsNamespaceAndTheFramesStamp)
 {
   MarkerPicture picture(ten_times());
   const auto markers = picture.draw(with_well()).markers;
-  const std::vector<std::pair<std::string, int>> expected = {{"string", Marker::LINE_STRIP}, {"bit", Marker::SPHERE}, {"contact_forces", Marker::LINE_LIST},
-      {"traveling_block", Marker::CUBE}, {"wellbore", Marker::TRIANGLE_LIST}, {"stations", Marker::SPHERE_LIST}};
+  const std::vector<std::pair<std::string, int>> expected = {
+      {"string", Marker::LINE_STRIP},        {"bit", Marker::SPHERE},
+      {"contact_forces", Marker::LINE_LIST}, {"traveling_block", Marker::CUBE},
+      {"wellbore", Marker::TRIANGLE_LIST},   {"stations", Marker::SPHERE_LIST}};
   ASSERT_EQ(expected.size(), markers.size());
   for (std::size_t i = 0; i < markers.size(); ++i)
   {
@@ -118,8 +121,11 @@ TEST(Markers, coloursGoFromLimeThroughYellowToRed)
 TEST(Markers, eachQuantityColours)
 {
   const FrameOutput s = numbered_output();
-  const std::vector<std::pair<ColorQuantity, std::vector<double> StringProfile::*>> quantities = {{ColorQuantity::contact_force, &StringProfile::contact_force},
-      {ColorQuantity::tension, &StringProfile::tension}, {ColorQuantity::torque, &StringProfile::torque}, {ColorQuantity::bending_moment, &StringProfile::bending_moment}};
+  const std::vector<std::pair<ColorQuantity, std::vector<double> StringProfile::*>> quantities = {
+      {ColorQuantity::contact_force, &StringProfile::contact_force},
+      {ColorQuantity::tension, &StringProfile::tension},
+      {ColorQuantity::torque, &StringProfile::torque},
+      {ColorQuantity::bending_moment, &StringProfile::bending_moment}};
   for (const auto& [quantity, values] : quantities)
   {
     Parameters p = ten_times();

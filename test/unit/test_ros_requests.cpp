@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What the node makes of a request for another well, of a scene's name and of a rate: each rule at its bounds.
 #include <gtest/gtest.h>
 
@@ -66,7 +67,8 @@ TEST(WithSurvey, stationsMakeTheWellAndTheBitStaysAsFarOffBottom)
   EXPECT_EQ(200.0, next.well.hole_depth);
   EXPECT_EQ(199.5, next.start.bit_depth);
   EXPECT_EQ(20.0, next.start.block_height) << "the rest stays";
-  EXPECT_EQ(197.0, with_well(present(), 3.0, to_new_well(stations(to_200))).start.bit_depth) << "the bit may stand elsewhere just now";
+  EXPECT_EQ(197.0, with_well(present(), 3.0, to_new_well(stations(to_200))).start.bit_depth)
+      << "the bit may stand elsewhere just now";
 }
 
 TEST(WithSurvey, depthsMayBeGiven)
@@ -135,18 +137,22 @@ TEST(WithSurvey, eitherAFileOrStations)
 TEST(WithSurvey, aFirstStationBelowTheTableIsTiedIn)
 {
   LoadSurvey::Request request = stations({{80.0, 0.0, 0.0}, {200.0, 0.0, 0.0}});
-  EXPECT_EQ("station 0: the first md is 80 m, needed: 0 (the rotary table), or its position: tie_in, in a CSV file north_m, east_m, tvd_m",
-            refusal_of(request));
+  EXPECT_EQ(
+      "station 0: the first md is 80 m, needed: 0 (the rotary table), or its position: tie_in, in a CSV file north_m, east_m, "
+      "tvd_m",
+      refusal_of(request));
   request.tie_in_tvd = 80.0;
   const Scene next = with_well(present(), 0.5, to_new_well(request));
   EXPECT_EQ(0.0, next.well.survey.front().md);
   EXPECT_EQ(80.0, next.well.survey[next.well.survey.size() - 2].md);
   EXPECT_EQ(200.0, next.well.hole_depth);
   request.tie_in_north = 30.0;
-  EXPECT_EQ("tie_in: the first station is 85.44 m from the rotary table, allowed: up to its measured depth, 80 m", refusal_of(request));
+  EXPECT_EQ("tie_in: the first station is 85.44 m from the rotary table, allowed: up to its measured depth, 80 m",
+            refusal_of(request));
   request = stations(to_200);
   request.tie_in_tvd = 1.0;
-  EXPECT_EQ("tie_in: the first station is at 0, the rotary table; allowed: only with a first station below it", refusal_of(request));
+  EXPECT_EQ("tie_in: the first station is at 0, the rotary table; allowed: only with a first station below it",
+            refusal_of(request));
 }
 
 TEST(WithSurvey, aFileMayHoldItsTieIn)
@@ -188,8 +194,10 @@ TEST(CheckRate, aFrameIsAWholeNumberOfSteps)
   Scene scene = present();
   scene.numerics.step = 0.005;
   for (const double rate : {200.0, 100.0, 66.0 + 2.0 / 3.0, 50.0, 0.1}) EXPECT_NO_THROW(check_rate(rate, scene)) << rate;
-  for (const double rate : {130.0, 199.0, 201.0, 400.0, 1000.0}) EXPECT_THROW(check_rate(rate, scene), std::runtime_error) << rate;
-  EXPECT_EQ("rate is 400; allowed is a rate whose frames hold a whole number of the scene's steps of 0.005 s", refusal([&] { check_rate(400.0, scene); }));
+  for (const double rate : {130.0, 199.0, 201.0, 400.0, 1000.0})
+    EXPECT_THROW(check_rate(rate, scene), std::runtime_error) << rate;
+  EXPECT_EQ("rate is 400; allowed is a rate whose frames hold a whole number of the scene's steps of 0.005 s",
+            refusal([&] { check_rate(400.0, scene); }));
 }
 
 TEST(FindScene, anAbsoluteNameIsTheFile)
@@ -200,7 +208,9 @@ TEST(FindScene, anAbsoluteNameIsTheFile)
   EXPECT_NE("", refusal([] { find_scene(""); }));
   EXPECT_NE("", refusal([] { find_scene("package://no_such_package/a.yaml"); }));
   EXPECT_NE("", refusal([] { find_scene("package://drill_rig_sim"); }));
-  EXPECT_EQ(0u, refusal([] { find_file("file", "no_such.csv", "config/surveys"); }).find("file is no_such.csv; allowed is a regular file"));
+  EXPECT_EQ(
+      0u,
+      refusal([] { find_file("file", "no_such.csv", "config/surveys"); }).find("file is no_such.csv; allowed is a regular file"));
 }
 
 TEST(Parameters, whoseTimeItIs)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What displays are told of a scene, against the scene.
 #include <gtest/gtest.h>
 
@@ -30,7 +31,9 @@ TEST(RigDescriptionMessage, hasEachPartAsTheSceneHasIt)
   const RigDescription m = described(scene);
   EXPECT_EQ("rig_b/rig_floor", m.header.frame_id);
   EXPECT_EQ((std::vector<std::string>{"bit", "collar", "collar", "pipe"}), m.part_name);
-  EXPECT_EQ((std::vector<std::uint8_t>{RigDescription::BIT, RigDescription::STABILIZER, RigDescription::COLLAR, RigDescription::PIPE}), m.part_type);
+  EXPECT_EQ(
+      (std::vector<std::uint8_t>{RigDescription::BIT, RigDescription::STABILIZER, RigDescription::COLLAR, RigDescription::PIPE}),
+      m.part_type);
   EXPECT_EQ((std::vector<double>{0.3, 1.8, 18.8, 0.0}), m.part_length);
   EXPECT_EQ((std::vector<double>{0.3, 1.8, 9.4, 9.5}), m.part_joint_length);
   EXPECT_EQ((std::vector<double>{0.2159, 0.165, 0.165, 0.127}), m.part_diameter);
@@ -53,7 +56,8 @@ TEST(RigDescriptionMessage, plansByTheSurveyAPointEveryTenMetres)
   EXPECT_NEAR(300.0, m.station[2].y, 1e-9);
   EXPECT_NEAR(-400.0, m.station[2].z, 1e-9);
   EXPECT_EQ(11u + 48u, m.plan.size());
-  for (std::size_t i = 11; i < m.plan.size(); ++i) EXPECT_NEAR(300.0, std::hypot(m.plan[i].y - 300.0, m.plan[i].z + 100.0), 1e-9) << i;
+  for (std::size_t i = 11; i < m.plan.size(); ++i)
+    EXPECT_NEAR(300.0, std::hypot(m.plan[i].y - 300.0, m.plan[i].z + 100.0), 1e-9) << i;
   EXPECT_EQ((std::vector<double>{60.0, 900.0}), m.section_bottom);
   EXPECT_EQ((std::vector<double>{0.3, 0.25}), m.section_diameter);
   EXPECT_EQ(scene.formation.size(), m.layer_base.size());

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // RigState and RigTruth of a frame: every field against the number that was put into it.
 #include <gtest/gtest.h>
 
@@ -46,22 +47,21 @@ struct Flag
 };
 
 template <class From, class Message>
-const std::vector<Flag<From, Message>> common_flags = {
-    {&From::tared, &Message::tared},
-    {&From::in_slips, &Message::in_slips},
-    {&From::brake_set, &Message::brake_set},
-    {&From::winch_limited, &Message::winch_limited},
-    {&From::slack_line, &Message::slack_line},
-    {&From::stop_reached, &Message::stop_reached},
-    {&From::relief_valve_open, &Message::relief_valve_open},
-    {&From::accuracy_warning, &Message::accuracy_warning},
-    {&From::top_drive_brake_set, &Message::top_drive_brake_set},
-    {&From::top_drive_limited, &Message::top_drive_limited},
-    {&From::command_clamped, &Message::command_clamped},
-    {&From::commands_timed_out, &Message::commands_timed_out},
-    {&From::over_pull, &Message::over_pull},
-    {&From::pump_tripped, &Message::pump_tripped},
-    {&From::drive_tripped, &Message::drive_tripped}};
+const std::vector<Flag<From, Message>> common_flags = {{&From::tared, &Message::tared},
+                                                       {&From::in_slips, &Message::in_slips},
+                                                       {&From::brake_set, &Message::brake_set},
+                                                       {&From::winch_limited, &Message::winch_limited},
+                                                       {&From::slack_line, &Message::slack_line},
+                                                       {&From::stop_reached, &Message::stop_reached},
+                                                       {&From::relief_valve_open, &Message::relief_valve_open},
+                                                       {&From::accuracy_warning, &Message::accuracy_warning},
+                                                       {&From::top_drive_brake_set, &Message::top_drive_brake_set},
+                                                       {&From::top_drive_limited, &Message::top_drive_limited},
+                                                       {&From::command_clamped, &Message::command_clamped},
+                                                       {&From::commands_timed_out, &Message::commands_timed_out},
+                                                       {&From::over_pull, &Message::over_pull},
+                                                       {&From::pump_tripped, &Message::pump_tripped},
+                                                       {&From::drive_tripped, &Message::drive_tripped}};
 
 const std::vector<Flag<Truth, RigTruth>> unsensed_flags = {{&Truth::on_bottom, &RigTruth::on_bottom},
                                                            {&Truth::motor_stalled, &RigTruth::motor_stalled},
@@ -78,7 +78,8 @@ void expect_own(const std::vector<Flag<From, Message>>& flags, From FrameRecord:
     FrameRecord frame = numbered_record();
     (frame.*from).*set.from = true;
     const Message m = convert(frame);
-    for (const Flag<From, Message>& flag : flags) EXPECT_EQ(flag.to == set.to, bool(m.*flag.to)) << &flag - flags.data() << ", set " << &set - flags.data();
+    for (const Flag<From, Message>& flag : flags)
+      EXPECT_EQ(flag.to == set.to, bool(m.*flag.to)) << &flag - flags.data() << ", set " << &set - flags.data();
   }
 }
 
@@ -99,14 +100,16 @@ TEST(RigStateMessage, namesTheLostGauges)
 {
   const FrameRecord frame = numbered_record();
   EXPECT_EQ(RigState::HOOK_LOAD + RigState::TORQUE, to_rig_state(frame.readings, frame, floor_name).lost_gauges);
-  const std::uint32_t bits[gauge_count] = {RigState::HOOK_LOAD, RigState::DEAD_LINE_HOOK_LOAD, RigState::TORQUE, RigState::STAND_PIPE_PRESSURE,
-                                           RigState::FLOW,      RigState::BLOCK_HEIGHT,        RigState::ENCODER_BIT_DEPTH};
+  const std::uint32_t bits[gauge_count] = {
+      RigState::HOOK_LOAD, RigState::DEAD_LINE_HOOK_LOAD, RigState::TORQUE,           RigState::STAND_PIPE_PRESSURE,
+      RigState::FLOW,      RigState::BLOCK_HEIGHT,        RigState::ENCODER_BIT_DEPTH};
   for (int k = 0; k < gauge_count; ++k) EXPECT_EQ(1u << k, bits[k]) << gauge_names[k];
 }
 
 TEST(RigStateMessage, eachFlagIsItsOwn)
 {
-  expect_own(common_flags<Readings, RigState>, &FrameRecord::readings, [](const FrameRecord& f) { return to_rig_state(f.readings, f, floor_name); });
+  expect_own(common_flags<Readings, RigState>, &FrameRecord::readings,
+             [](const FrameRecord& f) { return to_rig_state(f.readings, f, floor_name); });
 }
 
 TEST(RigTruthMessage, eachFlagIsItsOwn)
@@ -158,8 +161,10 @@ TEST(RigStateMessage, setPointsInForceWithTheStampsOfTheirCommands)
 TEST(RigStateMessage, runStates)
 {
   FrameRecord frame;
-  const std::vector<std::pair<RunState, std::uint8_t>> states = {
-      {RunState::running, RigState::RUNNING}, {RunState::paused, RigState::PAUSED}, {RunState::waiting, RigState::WAITING}, {RunState::failed, RigState::FAILED}};
+  const std::vector<std::pair<RunState, std::uint8_t>> states = {{RunState::running, RigState::RUNNING},
+                                                                 {RunState::paused, RigState::PAUSED},
+                                                                 {RunState::waiting, RigState::WAITING},
+                                                                 {RunState::failed, RigState::FAILED}};
   for (const auto& [state, said] : states)
   {
     frame.run_state = state;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The URDF of a rig: a link for each frame, joints that robot_state_publisher leaves alone.
 #include <gtest/gtest.h>
 #include <tinyxml2.h>
@@ -21,7 +22,8 @@ const tinyxml2::XMLElement& robot(const Scene& scene, const std::string& prefix,
 std::set<std::string> names_of(const tinyxml2::XMLElement& robot, const char* element)
 {
   std::set<std::string> names;
-  for (const auto* e = robot.FirstChildElement(element); e != nullptr; e = e->NextSiblingElement(element)) names.insert(e->Attribute("name"));
+  for (const auto* e = robot.FirstChildElement(element); e != nullptr; e = e->NextSiblingElement(element))
+    names.insert(e->Attribute("name"));
   return names;
 }
 }  // namespace
@@ -65,7 +67,8 @@ TEST(RobotDescription, drawsAPartFromItsLowerEndUp)
     const auto* cylinder = visual->FirstChildElement("geometry")->FirstChildElement("cylinder");
     EXPECT_NEAR(cylinder->DoubleAttribute("radius"), 0.5 * bit.bit->diameter, 1e-6);
     EXPECT_NEAR(cylinder->DoubleAttribute("length"), bit.length, 1e-6);
-    EXPECT_NEAR(std::stod(visual->FirstChildElement("origin")->Attribute("xyz")), -0.5 * bit.length, 1e-5) << "x is towards the bit";
+    EXPECT_NEAR(std::stod(visual->FirstChildElement("origin")->Attribute("xyz")), -0.5 * bit.length, 1e-5)
+        << "x is towards the bit";
   }
 }
 }  // namespace drill_rig_sim::test_ros_robot_description

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Snapshots by name: order, replacing, deleting, and the limits of number and memory.
 #include <gtest/gtest.h>
 
@@ -107,7 +108,8 @@ TEST(SavedStates, namesHaveOneToTwoHundredBytes)
   SavedStates states;
   EXPECT_NE("", refusal([&] { states.keep("", saved_at(1)); }));
   EXPECT_EQ("", refusal([&] { states.keep(std::string(200, 'x'), saved_at(1)); }));
-  EXPECT_EQ("name has 201 bytes; allowed is a text of 1 to 200", refusal([&] { states.keep(std::string(201, 'x'), saved_at(1)); }));
+  EXPECT_EQ("name has 201 bytes; allowed is a text of 1 to 200",
+            refusal([&] { states.keep(std::string(201, 'x'), saved_at(1)); }));
   EXPECT_EQ("name has control characters; allowed is one line of text", refusal([&] { states.keep("two\nlines", saved_at(1)); }));
   EXPECT_EQ(1u, listed(states).names.size());
 }
@@ -130,10 +132,12 @@ TEST(SavedStates, takeAtMost256MiB)
   ASSERT_GE(most, 2u);
   ASSERT_LT(most, 100u);
   SavedStates states;
-  for (std::size_t i = 0; i < most; ++i) ASSERT_EQ("", refusal([&] { states.keep(std::to_string(i), saved_at(1, large_state())); })) << i;
+  for (std::size_t i = 0; i < most; ++i)
+    ASSERT_EQ("", refusal([&] { states.keep(std::to_string(i), saved_at(1, large_state())); })) << i;
   const std::string wanted = std::to_string(((most + 1) * size) >> 20);
-  EXPECT_EQ("the states saved would take " + wanted + " MiB; allowed is 256 MiB: delete_state frees one of " + std::to_string(most),
-            refusal([&] { states.keep("one more", saved_at(1, large_state())); }));
+  EXPECT_EQ(
+      "the states saved would take " + wanted + " MiB; allowed is 256 MiB: delete_state frees one of " + std::to_string(most),
+      refusal([&] { states.keep("one more", saved_at(1, large_state())); }));
   EXPECT_EQ(most, listed(states).names.size());
   EXPECT_EQ("", refusal([&] { states.keep("0", saved_at(5, large_state())); })) << "in place of another it does not count";
   EXPECT_EQ(5, states.find("0").stamp);

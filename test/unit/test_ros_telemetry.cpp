@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What comes from downhole: every field against the number that was put into it, stamped when it was measured.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The transforms of a frame against the numbers that were put into it.
 #include <gtest/gtest.h>
 
@@ -23,7 +24,8 @@ TEST(Transforms, theRigFloorStandsInTheWorld)
   expect_turns(t.transform.rotation, Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY());
   expect_turns(t.transform.rotation, Eigen::Vector3d::UnitY(), Eigen::Vector3d::UnitZ());
   // pitch about y: x becomes -z
-  expect_turns(to_rig_pose({0.0, 0.0, 0.0, 0.0, 90.0 * degree, 0.0}, "").transform.rotation, Eigen::Vector3d::UnitX(), -Eigen::Vector3d::UnitZ());
+  expect_turns(to_rig_pose({0.0, 0.0, 0.0, 0.0, 90.0 * degree, 0.0}, "").transform.rotation, Eigen::Vector3d::UnitX(),
+               -Eigen::Vector3d::UnitZ());
 }
 
 TEST(Transforms, blockTopDriveAndPartsHangOnTheRigFloor)
@@ -32,7 +34,8 @@ TEST(Transforms, blockTopDriveAndPartsHangOnTheRigFloor)
   s.frame.truth.block_height = 25.0;
   s.frame.truth.floor_height = 0.5;  // heaves: what stands on it in the still frame rig_floor
   s.frame.truth.top_drive_angle = 90.0 * degree;
-  s.parts = {{"bit", {1.0, 2.0, 3.0}, Eigen::Quaterniond(0.0, 1.0, 0.0, 0.0)}, {"pipe_5", {4.0, 5.0, 6.0}, Eigen::Quaterniond(1.0, 0.0, 0.0, 0.0)}};
+  s.parts = {{"bit", {1.0, 2.0, 3.0}, Eigen::Quaterniond(0.0, 1.0, 0.0, 0.0)},
+             {"pipe_5", {4.0, 5.0, 6.0}, Eigen::Quaterniond(1.0, 0.0, 0.0, 0.0)}};
   std::vector<geometry_msgs::TransformStamped> all(7);  // more than there are now
   fill_transforms(s, "rig_b/", all);
   ASSERT_EQ(4u, all.size());

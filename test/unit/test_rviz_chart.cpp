@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What the strip chart remembers, which piece of it is seen, and what is drawn.
 #include <gtest/gtest.h>
 
@@ -154,7 +155,8 @@ TEST(ConsoleHistory, Csv)
   std::string names, row, more;
   std::getline(in, names);
   std::getline(in, row);
-  EXPECT_EQ(0u, names.find("time [s],hole_depth [m],hook_load [N],surface_wob [N],torque [N m],top_drive_speed [rad/s]")) << names;
+  EXPECT_EQ(0u, names.find("time [s],hole_depth [m],hook_load [N],surface_wob [N],torque [N m],top_drive_speed [rad/s]"))
+      << names;
   EXPECT_EQ(0u, row.find("0.25,100.5,6,,,")) << row;
   EXPECT_EQ(std::count(names.begin(), names.end(), ','), std::count(row.begin(), row.end(), ','));
   EXPECT_FALSE(std::getline(in, more));

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Colours of the display against what its legend says: ends, order, ticks; a scale that does not flicker.
 #include <gtest/gtest.h>
 
@@ -27,7 +28,8 @@ TEST(ColorScale, beyondItsEndsIsTheEndsColor)
   EXPECT_FALSE(same(scale.at(40.0), scale.at(20.0)));
 }
 
-// As one without the green receptors sees a colour: Viénot, Brettel and Mollon 1999, on linear RGB; here only what differs between colours.
+// As one without the green receptors sees a colour: Viénot, Brettel and Mollon 1999, on linear RGB; here only what differs
+// between colours.
 std::array<double, 2> deuteranope(const Color& c)
 {
   const double r = std::pow(c.r, 2.2), g = std::pow(c.g, 2.2), b = std::pow(c.b, 2.2);
@@ -39,7 +41,8 @@ TEST(ColorScale, theColourBlindCanTellValuesApart)
   const auto differ = [](const Color& a, const Color& b)
   {
     const auto x = deuteranope(a), y = deuteranope(b);
-    return std::hypot(std::pow(x[0], 1.0 / 2.2) - std::pow(y[0], 1.0 / 2.2), std::pow(std::max(x[1], 0.0), 1.0 / 2.2) - std::pow(std::max(y[1], 0.0), 1.0 / 2.2));
+    return std::hypot(std::pow(x[0], 1.0 / 2.2) - std::pow(y[0], 1.0 / 2.2),
+                      std::pow(std::max(x[1], 0.0), 1.0 / 2.2) - std::pow(std::max(y[1], 0.0), 1.0 / 2.2));
   };
   const ColorScale one(0.0, 40.0), both(-40.0, 40.0);
   for (int a = 0; a <= 4; ++a)
@@ -65,7 +68,8 @@ TEST(ColorScale, noNumberIsGrey)
 
 TEST(ColorScale, senselessEndsMakeAScaleAllTheSame)
 {
-  for (const double high : {0.0, -3.0, std::nan(""), std::numeric_limits<double>::infinity()}) EXPECT_EQ(1.0, ColorScale(0.0, high).high());
+  for (const double high : {0.0, -3.0, std::nan(""), std::numeric_limits<double>::infinity()})
+    EXPECT_EQ(1.0, ColorScale(0.0, high).high());
   EXPECT_EQ(0.0, ColorScale(5.0, 10.0).low());
 }
 
@@ -150,7 +154,8 @@ TEST(Coloring, eachIsItsOwnQuantityInItsUnit)
   d.guided = {1, 0};
   const std::vector<double> expected{2.0, 3.0, 4.0, 5.0, 60.0, 0.7, 1.0};
   ASSERT_EQ(expected.size(), colorings().size());
-  for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR(expected[i], values_of(i, d).front(), 1e-12) << colorings()[i].name;
+  for (std::size_t i = 0; i < expected.size(); ++i)
+    EXPECT_NEAR(expected[i], values_of(i, d).front(), 1e-12) << colorings()[i].name;
 }
 
 }  // namespace drill_rig_sim::test_rviz_color_scale

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The hole's axis in closed forms: a circle's length and places, frames that do not wind, what is drawn larger across it.
 #include <gtest/gtest.h>
 
@@ -94,7 +95,8 @@ TEST(HoleAxis, findsTheNearestPlace)
 
 TEST(HoleAxis, leavesOutPlacesThatAreTheSame)
 {
-  const HoleAxis axis({Vector3d(0, 0, 0), Vector3d(0, 0, 0), Vector3d(0, 0, -10)}, {Vector3d(0, 0, -1), Vector3d(0, 0, -1), Vector3d(0, 0, -1)});
+  const HoleAxis axis({Vector3d(0, 0, 0), Vector3d(0, 0, 0), Vector3d(0, 0, -10)},
+                      {Vector3d(0, 0, -1), Vector3d(0, 0, -1), Vector3d(0, 0, -1)});
   EXPECT_EQ(2u, axis.points().size());
   EXPECT_EQ(1u, HoleAxis({}, {}).points().size());
 }

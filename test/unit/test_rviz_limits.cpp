@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // When the driller's console warns, and how far its scales reach.
 #include <gtest/gtest.h>
 
@@ -99,7 +100,8 @@ TEST(ConsoleScale, HoldsLimitsAndValues)
   EXPECT_DOUBLE_EQ(-1e3, scale_of(Quantity::surface_wob, none, -800.0, 3.3e4).low);
   EXPECT_DOUBLE_EQ(0.0, scale_of(Quantity::torque, limits_of(Quantity::torque, a_rig(), OwnAlarms()), 0.0, 1e3).low);
   EXPECT_LT(scale_of(Quantity::torque, limits_of(Quantity::torque, a_rig(), OwnAlarms()), -1e3, 1e3).low, -50e3);
-  EXPECT_DOUBLE_EQ(0.0, scale_of(Quantity::torque, limits_of(Quantity::torque, a_rig(), OwnAlarms()), -1.0, 1e3).low) << "noise about 0";
+  EXPECT_DOUBLE_EQ(0.0, scale_of(Quantity::torque, limits_of(Quantity::torque, a_rig(), OwnAlarms()), -1.0, 1e3).low)
+      << "noise about 0";
 }
 
 TEST(ConsoleScale, RoundedUp)
@@ -113,6 +115,7 @@ TEST(ConsoleScale, RoundedUp)
 TEST(ConsoleFlags, TablesAreInOrder)
 {
   for (std::size_t n = 0; n < flag_count; ++n) EXPECT_EQ(n, static_cast<std::size_t>(flag_rows()[n].flag));
-  for (std::size_t n = 0; n < failing_gauges().size(); ++n) EXPECT_STREQ(drill_rig_sim::gauge_names[n], row_of(failing_gauges()[n]).key);
+  for (std::size_t n = 0; n < failing_gauges().size(); ++n)
+    EXPECT_STREQ(drill_rig_sim::gauge_names[n], row_of(failing_gauges()[n]).key);
 }
 }  // namespace test_rviz_limits

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Whether the simulator is there, by what was heard of it and when.
 #include <gtest/gtest.h>
 
@@ -60,9 +61,11 @@ TEST(ConsoleLinkState, NobodyThere)
 
 TEST(ConsoleLinkState, WhoHearsCommands)
 {
-  for (const LinkState state : {LinkState::running, LinkState::late, LinkState::paused, LinkState::waiting, LinkState::failed, LinkState::expected})
+  for (const LinkState state :
+       {LinkState::running, LinkState::late, LinkState::paused, LinkState::waiting, LinkState::failed, LinkState::expected})
     EXPECT_TRUE(hears(state)) << name_of(state);
-  for (const LinkState state : {LinkState::hidden, LinkState::no_master, LinkState::absent}) EXPECT_FALSE(hears(state)) << name_of(state);
+  for (const LinkState state : {LinkState::hidden, LinkState::no_master, LinkState::absent})
+    EXPECT_FALSE(hears(state)) << name_of(state);
 }
 
 TEST(ConsoleLinkState, WordsOfTheDiagnostics)

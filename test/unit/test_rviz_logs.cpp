@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What the driller's console remembers of alarms and connections.
 #include <gtest/gtest.h>
 
@@ -47,7 +48,8 @@ TEST(AlarmLog, oneThatFlickersIsOne)
 {
   AlarmLog log;
   std::size_t lines = 0;
-  for (int n = 0; n < 600; ++n) lines += log.take(0.1 * n, n % 2 != 0 ? flags({Flag::top_drive_limited, Flag::motor_stalled}) : Flags()).size();
+  for (int n = 0; n < 600; ++n)
+    lines += log.take(0.1 * n, n % 2 != 0 ? flags({Flag::top_drive_limited, Flag::motor_stalled}) : Flags()).size();
   EXPECT_EQ(2u, lines);
   ASSERT_EQ(1u, log.latched().size()) << "a caution is not latched";
   EXPECT_NEAR(0.1, log.latched()[0].from, 1e-9);

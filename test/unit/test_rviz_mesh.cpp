@@ -1,4 +1,6 @@
-// What is drawn, as triangles: closed forms of areas and normals, from where they are seen; the string's outline; bad data refused.
+// SPDX-License-Identifier: BSD-3-Clause
+// What is drawn, as triangles: closed forms of areas and normals, from where they are seen; the string's outline; bad data
+// refused.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -58,7 +60,9 @@ std::vector<Ring> cylinder(double length, double radius)
 RigData three_parts()
 {
   RigData rig;
-  rig.parts = {{"bit", PartKind::bit, 0.4, 0.4, 0.15, 0.15}, {"blades", PartKind::stabilizer, 2.0, 2.0, 0.1, 0.14}, {"pipe", PartKind::pipe, 0.0, 10.0, 0.06, 0.08}};
+  rig.parts = {{"bit", PartKind::bit, 0.4, 0.4, 0.15, 0.15},
+               {"blades", PartKind::stabilizer, 2.0, 2.0, 0.1, 0.14},
+               {"pipe", PartKind::pipe, 0.0, 10.0, 0.06, 0.08}};
   rig.section_bottom = {50.0, 200.0};
   rig.section_radius = {0.2, 0.16};
   rig.layer_base = {60.0, 1000.0};
@@ -78,7 +82,8 @@ StringData five_nodes()
     d.from_bit.push_back(s);
     d.md.push_back(100.0 - s);
     d.position.emplace_back(0.01, 0.0, s - 100.0);
-    for (auto* values : {&d.tension, &d.torque, &d.bending_moment, &d.bending_stress, &d.contact_force, &d.contact_side, &d.spin_speed, &d.buckling})
+    for (auto* values : {&d.tension, &d.torque, &d.bending_moment, &d.bending_stress, &d.contact_force, &d.contact_side,
+                         &d.spin_speed, &d.buckling})
       values->push_back(s);
     d.guided.push_back(0);
   }
@@ -165,10 +170,14 @@ TEST(StringTube, goesThroughItsNodesExaggerated)
   StringTube tube;
   tube.shape(three_parts(), data.from_bit);
   MeshData mesh;
-  add_tube(mesh, tube.rings(nodes, data.tension, [](double) { return Color{}; }, 10.0), 8);
+  add_tube(mesh,
+           tube.rings(
+               nodes, data.tension, [](double) { return Color{}; }, 10.0),
+           8);
   EXPECT_TRUE(faces_its_normals(mesh));
   double widest = 0.0;
-  for (std::size_t i = 0; i < mesh.indices.size(); ++i) widest = std::max(widest, std::hypot(place(mesh, i).x() - 0.1, place(mesh, i).y()));
+  for (std::size_t i = 0; i < mesh.indices.size(); ++i)
+    widest = std::max(widest, std::hypot(place(mesh, i).x() - 0.1, place(mesh, i).y()));
   EXPECT_NEAR(1.0, widest, 1e-6);  // the stabiliser's body, ten times
 }
 

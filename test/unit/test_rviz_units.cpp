@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Units of the driller's console against figures from tables, and there and back.
 #include <gtest/gtest.h>
 
@@ -84,7 +85,8 @@ TEST(ConsoleQuantities, TheTableIsInOrder)
   EXPECT_EQ(Quantity::count, quantity_of("hook"));
 }
 
-// Teale 1965 by hand: 100 kN, 5 kN m, 120 rpm, 10 m/h, 8.5 in: A = 0.036610 m2, F/A = 2.7315 MPa, T w/(A v) = 62832 W / (0.036610 m2 * 2.7778e-3 m/s) = 617.85 MPa
+// Teale 1965 by hand: 100 kN, 5 kN m, 120 rpm, 10 m/h, 8.5 in: A = 0.036610 m2, F/A = 2.7315 MPa, T w/(A v) = 62832 W / (0.036610
+// m2 * 2.7778e-3 m/s) = 617.85 MPa
 TEST(ConsoleQuantities, SpecificEnergyByHand)
 {
   EXPECT_NEAR(620.58e6, specific_energy(100e3, 5e3, 4.0 * M_PI, 10.0 / 3600.0, 0.2159), 0.05e6);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Where the camera goes and what a click hits.
 #include <gtest/gtest.h>
 
@@ -21,7 +22,8 @@ HoleAxis bent()
 
 Vector3d eye_of(const OrbitView& v)
 {
-  return v.focus + v.distance * Vector3d(std::cos(v.yaw) * std::cos(v.pitch), std::sin(v.yaw) * std::cos(v.pitch), std::sin(v.pitch));
+  return v.focus +
+         v.distance * Vector3d(std::cos(v.yaw) * std::cos(v.pitch), std::sin(v.yaw) * std::cos(v.pitch), std::sin(v.pitch));
 }
 
 Subject at_the_bottom(const HoleAxis& axis)

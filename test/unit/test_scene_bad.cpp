@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Broken scenes: every file in test/bad_scenes names, in its first line, the one problem that it must be refused for.
 #include <dirent.h>
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The hash of a scene: whatever a key says is in it, so that a state of another scene is not taken for one of this.
 #include <gtest/gtest.h>
 
@@ -66,8 +67,10 @@ TEST(SceneHash, everyNumberIsInIt)
     const auto begin = static_cast<std::size_t>(m->position(1)), length = static_cast<std::size_t>(m->length(1));
     const auto hash = hash_with_another(text, begin, length);
     const std::string place = text.substr(begin < 40 ? 0 : begin - 40, 40 + length);
-    if (!hash) fixed.push_back(place);
-    else EXPECT_TRUE(hashes.insert(*hash).second) << place << ": the hash of another scene";
+    if (!hash)
+      fixed.push_back(place);
+    else
+      EXPECT_TRUE(hashes.insert(*hash).second) << place << ": the hash of another scene";
     ++changed;
   }
   EXPECT_GT(changed, 150);
@@ -87,9 +90,16 @@ TEST(SceneHash, everyWordIsInIt)
 {
   const std::string text = scene_of_all_keys;
   const std::pair<std::string, std::string> words[] = {
-      {"name: all_keys", "name: others"}, {"name: c1", "name: c2"},           {"integrator: trbdf2", "integrator: bdf2"},
-      {"place: block", "place: dead_line"}, {"brake: true", "brake: false"}, {"element: corotational", "element: geometrically_exact"},
-      {"weight_on_bit: 1001.0", "weight_on_bit: 1002.0"}, {"torque_on_bit: 101.0", "torque_on_bit: 102.0"}, {", side_cutting: 0.12", ""},       {",\n     contact: {stiffness: 5.1e7, exponent: 1.52, damping: 0.32}", ""}};
+      {"name: all_keys", "name: others"},
+      {"name: c1", "name: c2"},
+      {"integrator: trbdf2", "integrator: bdf2"},
+      {"place: block", "place: dead_line"},
+      {"brake: true", "brake: false"},
+      {"element: corotational", "element: geometrically_exact"},
+      {"weight_on_bit: 1001.0", "weight_on_bit: 1002.0"},
+      {"torque_on_bit: 101.0", "torque_on_bit: 102.0"},
+      {", side_cutting: 0.12", ""},
+      {",\n     contact: {stiffness: 5.1e7, exponent: 1.52, damping: 0.32}", ""}};
   for (const auto& [word, other] : words)
   {
     ASSERT_NE(std::string::npos, text.find(word)) << word;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Every key of the scene file, set to a value of its own, is found in its field and in the field's unit.
 #include <gtest/gtest.h>
 
@@ -107,13 +108,15 @@ std::vector<Expected> of_string()
       {"string[]", "gauge_length", [](const Scene& s) { return s.string.at(0).bit->gauge_length; }, 0.15},
       {"string[]", "gauge_clearance", [](const Scene& s) { return s.string.at(0).bit->gauge_clearance; }, 4.3e-4},
       {"string[]", "squeeze_film_damping", [](const Scene& s) { return s.string.at(0).bit->squeeze_film_damping; }, 41000.0},
-      {"string[]", "squeeze_film_damping", [](const Scene& s) { return s.string.at(3).stabilizer->squeeze_film_damping; }, 42000.0},
+      {"string[]", "squeeze_film_damping", [](const Scene& s) { return s.string.at(3).stabilizer->squeeze_film_damping; },
+       42000.0},
       {"string[]", "sensor_offset", [](const Scene& s) { return s.string.at(4).mwd->sensor_offset; }, 4.6},
       {"string[]", "mass", [](const Scene& s) { return s.string.at(0).bit->mass; }, 91.0},
       {"string[]", "diameter", [](const Scene& s) { return s.string.at(0).bit->diameter; }, 0.3112},
       {"string[]", "side_cutting", [](const Scene& s) { return s.string.at(0).bit->side_cutting; }, 0.12},
       {"string[]", "torque", [](const Scene& s) { return s.string.at(0).bit->torque.static_friction; }, 0.61},
-      {"string[].torque", "model", [](const Scene& s) { return number(s.string.at(0).bit->torque.model == BitTorqueModel::stribeck); }, 1.0},
+      {"string[].torque", "model",
+       [](const Scene& s) { return number(s.string.at(0).bit->torque.model == BitTorqueModel::stribeck); }, 1.0},
       {"string[].torque", "static", [](const Scene& s) { return s.string.at(0).bit->torque.static_friction; }, 0.61},
       {"string[].torque", "kinetic", [](const Scene& s) { return s.string.at(0).bit->torque.kinetic_friction; }, 0.41},
       {"string[].torque", "speed_rpm", [](const Scene& s) { return s.string.at(0).bit->torque.speed; }, 31.0 * rpm},
@@ -165,11 +168,13 @@ std::vector<Expected> of_rig()
       {"rig.top_drive", "soft_torque", [](const Scene& s) { return s.rig.top_drive.soft_torque.damping; }, 801.0},
       {"rig.top_drive.soft_torque", "damping", [](const Scene& s) { return s.rig.top_drive.soft_torque.damping; }, 801.0},
       {"rig.top_drive.soft_torque", "stiffness", [](const Scene& s) { return s.rig.top_drive.soft_torque.stiffness; }, 3951.0},
-      {"rig.top_drive.soft_torque", "inertia_compensation", [](const Scene& s) { return s.rig.top_drive.soft_torque.inertia_compensation; }, 0.11},
+      {"rig.top_drive.soft_torque", "inertia_compensation",
+       [](const Scene& s) { return s.rig.top_drive.soft_torque.inertia_compensation; }, 0.11},
       {"rig.top_drive", "z_torque", [](const Scene& s) { return s.rig.top_drive.z_torque.damping; }, 401.0},
       {"rig.top_drive.z_torque", "damping", [](const Scene& s) { return s.rig.top_drive.z_torque.damping; }, 401.0},
       {"rig.top_drive.z_torque", "stiffness", [](const Scene& s) { return s.rig.top_drive.z_torque.stiffness; }, 61.0},
-      {"rig.top_drive.z_torque", "inertia_compensation", [](const Scene& s) { return s.rig.top_drive.z_torque.inertia_compensation; }, 0.91},
+      {"rig.top_drive.z_torque", "inertia_compensation",
+       [](const Scene& s) { return s.rig.top_drive.z_torque.inertia_compensation; }, 0.91},
       {"rig.mud_pump", "max_flow", [](const Scene& s) { return s.rig.mud_pump.max_flow; }, 0.061},
       {"rig.mud_pump", "flow_ramp", [](const Scene& s) { return s.rig.mud_pump.flow_ramp; }, 0.011},
       {"rig.mud_pump", "stroke_volume", [](const Scene& s) { return s.rig.mud_pump.stroke_volume; }, 0.0161},
@@ -189,7 +194,8 @@ std::vector<Expected> of_contact_and_start()
       {"contact", "damping", [](const Scene& s) { return s.contact.law.damping; }, 0.33},
       {"contact", "stribeck_speed", [](const Scene& s) { return s.contact.stribeck_speed; }, 0.051},
       {"contact", "static_ratio", [](const Scene& s) { return s.contact.static_ratio; }, 1.21},
-      {"contact", "stribeck_curve", [](const Scene& s) { return number(s.contact.stribeck_curve == StribeckCurve::exponential); }, 1.0},
+      {"contact", "stribeck_curve", [](const Scene& s) { return number(s.contact.stribeck_curve == StribeckCurve::exponential); },
+       1.0},
       {"contact", "growth_at_rest", [](const Scene& s) { return s.contact.growth.per_fold; }, 0.03},
       {"contact", "growth_time", [](const Scene& s) { return s.contact.growth.time; }, 1.7},
       {"contact", "growth_limit", [](const Scene& s) { return s.contact.growth.limit; }, 0.43},
@@ -243,11 +249,14 @@ std::vector<Expected> of_numerics()
       {"program[]", "slips", [](const Scene& s) { return s.program.at(3).slips; }, 1.0},
       {"program[]", "connection", [](const Scene& s) { return s.program.at(3).connection; }, -2.0},
       {"program[]", "free_length", [](const Scene& s) { return s.program.at(3).free_length; }, 57.0},
-      {"program[]", "fault", [](const Scene& s) { return number(s.program.at(5).fault == static_cast<int>(FaultKind::pack_off)); }, 1.0},
+      {"program[]", "fault",
+       [](const Scene& s) { return number(s.program.at(5).fault == static_cast<int>(FaultKind::pack_off)); }, 1.0},
       {"program[]", "fault_depth", [](const Scene& s) { return s.program.at(5).fault_depth; }, 501.0},
       {"program[]", "fault_magnitude", [](const Scene& s) { return s.program.at(5).fault_magnitude; }, 20001.0},
-      {"program[]", "fault_target", [](const Scene& s) { return number(s.program.at(6).fault_gauge == static_cast<int>(Gauge::flow)); }, 1.0},
-      {"program[]", "clear_fault", [](const Scene& s) { return number(s.program.at(6).clear_fault == static_cast<int>(FaultKind::sensor_freeze)); }, 1.0},
+      {"program[]", "fault_target",
+       [](const Scene& s) { return number(s.program.at(6).fault_gauge == static_cast<int>(Gauge::flow)); }, 1.0},
+      {"program[]", "clear_fault",
+       [](const Scene& s) { return number(s.program.at(6).clear_fault == static_cast<int>(FaultKind::sensor_freeze)); }, 1.0},
       {"rig.hoisting", "min_hook_load", [](const Scene& s) { return s.rig.hoisting.min_hook_load; }, 51001.0},
       {"rig.hoisting", "trip_hook_load", [](const Scene& s) { return s.rig.hoisting.trip_hook_load; }, 1.9e6},
       {"rig.mud_pump", "trip_pressure", [](const Scene& s) { return s.rig.mud_pump.trip_pressure; }, 3.41e7},
@@ -262,7 +271,8 @@ std::vector<Expected> of_numerics()
 std::vector<Expected> all_expected()
 {
   std::vector<Expected> all;
-  for (const auto& part : {of_well(), of_string(), of_rig(), of_contact_and_start(), of_numerics(), of_instruments(), of_operations()})
+  for (const auto& part :
+       {of_well(), of_string(), of_rig(), of_contact_and_start(), of_numerics(), of_instruments(), of_operations()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }
@@ -293,13 +303,22 @@ TEST(SceneKeys, everyValueIsInItsFieldAndUnit)
     EXPECT_NEAR(e.field(scene), e.value, 1e-14 * std::abs(e.value)) << e.block << "." << e.key;
 }
 
-// Keys that exclude others stand in scenes of their own; a block is tested by its keys, that of a survey's file in test_scene_survey.cpp.
+// Keys that exclude others stand in scenes of their own; a block is tested by its keys, that of a survey's file in
+// test_scene_survey.cpp.
 TEST(SceneKeys, noKeyIsForgotten)
 {
-  const std::set<std::pair<std::string, std::string>> apart = {
-      {"well", "survey"}, {"trajectory", "stage_two_steps"}, {"string[].torque", "cutting_energy"}, {"string[].torque", "wear_friction"},
-      {"string[].torque", "wear_weight"}, {"string[].torque", "blades"}, {"string[]", "bit_to_pivot"}, {"string[]", "tilt_deg"},
-      {"string[]", "nozzles"}, {"string[]", "nozzle_area"}, {"rig.mud_pump", "surface_lines"}, {"mud", "rheology"}};  // test_scene_rheology.cpp
+  const std::set<std::pair<std::string, std::string>> apart = {{"well", "survey"},
+                                                               {"trajectory", "stage_two_steps"},
+                                                               {"string[].torque", "cutting_energy"},
+                                                               {"string[].torque", "wear_friction"},
+                                                               {"string[].torque", "wear_weight"},
+                                                               {"string[].torque", "blades"},
+                                                               {"string[]", "bit_to_pivot"},
+                                                               {"string[]", "tilt_deg"},
+                                                               {"string[]", "nozzles"},
+                                                               {"string[]", "nozzle_area"},
+                                                               {"rig.mud_pump", "surface_lines"},
+                                                               {"mud", "rheology"}};  // test_scene_rheology.cpp
   std::set<std::pair<std::string, std::string>> expected = apart;
   std::set<std::string> blocks;
   for (const Expected& e : all_expected()) expected.insert({e.block, e.key}), blocks.insert(e.block);
@@ -309,7 +328,8 @@ TEST(SceneKeys, noKeyIsForgotten)
   {
     const std::string inside = block.empty() ? key : block + "." + key;
     if (block.rfind("well.survey", 0) == 0 || block == "mud.rheology") continue;
-    const bool is_block = std::any_of(blocks.begin(), blocks.end(), [&](const std::string& b) { return b.rfind(inside, 0) == 0; });
+    const bool is_block =
+        std::any_of(blocks.begin(), blocks.end(), [&](const std::string& b) { return b.rfind(inside, 0) == 0; });
     EXPECT_TRUE(expected.count({block, key}) || is_block) << inside << " is not tested";
   }
 }
@@ -325,7 +345,7 @@ TEST(SceneKeys, thatExcludeOthersAreInTheirFieldsToo)
   replace("stage_two_length: 0.11", "stage_two_steps: 12");
   replace("{model: stribeck, static: 0.61, kinetic: 0.41, speed_rpm: 31.0}",
           "{model: regenerative, cutting_energy: 1.25e8, wear_friction: 0.62, wear_weight: 601.0, blades: 7}");
-  replace(", bottom: {stiffness: 1.1e9, exponent: 1.51, damping: 1.01}", "");
+  replace("bottom: {stiffness: 1.1e9, exponent: 1.51, damping: 1.01}", "");
   replace("weight_exponent: 1.2, speed_exponent: 0.7, ", "");
   replace("  pilot_depth: 851.0\n  pilot_diameter: 0.21\n", "");
   replace("drillability: 1.7e-8", "drillability: 1.7e-8, threshold: 602.0");

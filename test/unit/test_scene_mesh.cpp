@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // How fine a scene's string is cut where the scene does not say it.
 #include <gtest/gtest.h>
 
@@ -77,7 +78,8 @@ TEST(ElementLengths, halvesUpToAStandAndAHalfAboveWhereItInclines)
   const Mesh mesh = build_mesh(scene, 520.0);
   for (std::size_t e = 1; e + 1 < mesh.elements.size(); ++e)
   {
-    const bool fine = mesh.nodes[e].from_bit > 45.0 + 9.5 && mesh.nodes[e].from_bit < 215.0 - 9.5, coarse = mesh.nodes[e].from_bit > 215.0 + 9.5;
+    const bool fine =
+        mesh.nodes[e].from_bit > 45.0 + 9.5 && mesh.nodes[e].from_bit<215.0 - 9.5, coarse = mesh.nodes[e].from_bit> 215.0 + 9.5;
     if (!fine && !coarse) continue;
     EXPECT_NEAR(mesh.elements[e].section.length, fine ? 4.75 : 9.5, 1e-9) << e;
   }
@@ -94,7 +96,8 @@ TEST(ElementLengths, halvesWherePipeIsPushedFromAbove)
   EXPECT_NEAR(element_lengths(scene).change, 1150.0 - 100.0 - 50.0 * 3.0 / 90.0 + 45.0, 1e-9);
 }
 
-// 0.3 on 1000 m that lie flat, by hand over the bend with mu = 0 there: what of 1000 m of vertical pipe is pushed is 300 m at most.
+// 0.3 on 1000 m that lie flat, by hand over the bend with mu = 0 there: what of 1000 m of vertical pipe is pushed is 300 m at
+// most.
 TEST(ElementLengths, jointsWhereItHangsAbovePipeThatIsPushed)
 {
   Scene scene = vertical(2050.0, 2050.0);
@@ -172,7 +175,8 @@ TEST(ElementLengths, twoJointsWithinAStandAlone)
   }
 }
 
-// The lower half flat without friction: guided pipe, pushed by nothing, has joints there, and the two stands by the assembly halves.
+// The lower half flat without friction: guided pipe, pushed by nothing, has joints there, and the two stands by the assembly
+// halves.
 TEST(ElementLengths, jointsWherePipeIsGuidedAndNothingPushesIt)
 {
   Scene scene = vertical(1150.0, 1150.0);
@@ -204,7 +208,8 @@ TEST(ElementLengths, twoJointsAboveThePipeThatHeavierPipePushes)
   EXPECT_EQ(element_lengths(scene).at(slim_ends + 1.0), 20.0);
 }
 
-// Below the first drill pipe, as a driller counts: heavy-weight pipe on the collars belongs to it, heavy-weight pipe further up does not, whatever lies above.
+// Below the first drill pipe, as a driller counts: heavy-weight pipe on the collars belongs to it, heavy-weight pipe further up
+// does not, whatever lies above.
 TEST(FreeLength, endsTwoStandsAboveTheAssembly)
 {
   Scene scene = vertical(1150.0, 1150.0);
@@ -225,7 +230,8 @@ TEST(FreeLength, endsTwoStandsAboveTheAssembly)
   EXPECT_NEAR(below_the_top({slim}), simple, 1e-9);
   PartSpec two_stands = slim;
   two_stands.joints = 6;
-  EXPECT_NEAR(below_the_top({two_stands, heavy}), simple + 16.0 * heavy.joint_length, 1e-9) << "between stiffer parts it belongs to them";
+  EXPECT_NEAR(below_the_top({two_stands, heavy}), simple + 16.0 * heavy.joint_length, 1e-9)
+      << "between stiffer parts it belongs to them";
   EXPECT_NEAR(below_the_top({heavy, slim, heavy}), simple + 10.0 * heavy.joint_length, 1e-9);
 }
 

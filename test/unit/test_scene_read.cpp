@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Good scenes: every key lands in its field in SI units, keys left out take the defaults, the reference lists every key.
 #include <gtest/gtest.h>
 
@@ -156,7 +157,8 @@ TEST(SceneRead, EveryIntegratorIsAWordOfTheSceneFile)
 {
   EXPECT_EQ(parse_scene(smallest, "x", {"numerics.integrator=auto"}).numerics.integrator, IntegratorKind::automatic);
   for (const IntegratorEntry& entry : integrator_table())
-    EXPECT_EQ(parse_scene(smallest, "x", {std::string("numerics.integrator=") + entry.name}).numerics.integrator, entry.kind) << entry.name;
+    EXPECT_EQ(parse_scene(smallest, "x", {std::string("numerics.integrator=") + entry.name}).numerics.integrator, entry.kind)
+        << entry.name;
   EXPECT_EQ(integrator_table().size(), static_cast<std::size_t>(IntegratorKind::ida)) << "all but automatic";
 }
 
@@ -177,13 +179,18 @@ TEST(SceneRead, WrongSettingsAreRefusedByName)
   EXPECT_EQ(message("numerics.step=1").rfind("setting: numerics.step: 1 is out of range", 0), 0u) << message("numerics.step=1");
   EXPECT_EQ(message("numerics.stepp=1").rfind("setting: numerics.stepp: unknown key", 0), 0u) << message("numerics.stepp=1");
   EXPECT_EQ(message("well.sections[7].friction=0").rfind("setting: well.sections[7].friction: there is no such", 0), 0u);
-  EXPECT_EQ(message("numerics.integrator=no_such").rfind("setting: numerics.integrator: \"no_such\" is not known, allowed: auto, bdf2", 0), 0u);
+  EXPECT_EQ(message("numerics.integrator=no_such")
+                .rfind("setting: numerics.integrator: \"no_such\" is not known, allowed: auto, bdf2", 0),
+            0u);
   EXPECT_EQ(message("numerics.kernel=scalar"), "accepted");
   const char* elsewhere = has_kernel(Kernel::neon) ? "sse4" : "neon";
-  EXPECT_EQ(message((std::string("numerics.kernel=") + elsewhere).c_str()), std::string("setting: numerics.kernel: ") + elsewhere + " is not available on this machine or in this build, allowed: " + kernels_here());
+  EXPECT_EQ(message((std::string("numerics.kernel=") + elsewhere).c_str()),
+            std::string("setting: numerics.kernel: ") + elsewhere +
+                " is not available on this machine or in this build, allowed: " + kernels_here());
   EXPECT_EQ(message("numerics.step").rfind("setting: numerics.step: has no value", 0), 0u);
   EXPECT_EQ(message("mud={densty: 1000}").rfind("setting: mud.densty: unknown key", 0), 0u) << message("mud={densty: 1000}");
-  EXPECT_EQ(message("string=[{name: bit, type: bit, length: 0.3, mass: 40}]").rfind("setting: string[0].diameter: is missing", 0), 0u);
+  EXPECT_EQ(message("string=[{name: bit, type: bit, length: 0.3, mass: 40}]").rfind("setting: string[0].diameter: is missing", 0),
+            0u);
   EXPECT_EQ(message("name.step=1").rfind("setting: name.step: goes through", 0), 0u);
   for (const char* nonsense : {"=", "..=1", "a[=1", "a[]=1", "well[0]=1", "name=[", "[0]=1", "string[0]..x=1"})
     EXPECT_NE(message(nonsense), "accepted") << nonsense;
@@ -196,21 +203,31 @@ TEST(SceneRead, UnlikelyValuesAreReported)
   EXPECT_TRUE(remarks("mud.density=1200").empty());
   EXPECT_TRUE(remarks("mud.density=0").empty()) << "a hole in a vacuum";
   ASSERT_EQ(1u, remarks("mud.density=9.5").size());
-  EXPECT_EQ("x: mud.density: 1.2 kg/m3 is the density of a gas; is its unit missing? 1.2 g/cm3 is 1200 kg/m3", remarks("mud.density=1.2").front());
-  EXPECT_EQ("x: mud.density: 9.5 kg/m3 is the density of a gas; is its unit missing? 9.5 ppg is 1138 kg/m3", remarks("mud.density=9.5").front());
+  EXPECT_EQ("x: mud.density: 1.2 kg/m3 is the density of a gas; is its unit missing? 1.2 g/cm3 is 1200 kg/m3",
+            remarks("mud.density=1.2").front());
+  EXPECT_EQ("x: mud.density: 9.5 kg/m3 is the density of a gas; is its unit missing? 9.5 ppg is 1138 kg/m3",
+            remarks("mud.density=9.5").front());
   EXPECT_NE(std::string::npos, remarks("mud.density=75").at(0).find("75 kg/m3 is the density of foam"));
   const PartSpec part = parse_scene(smallest, "x").string.back();
-  const double body = pi / 4.0 * (part.outer_diameter * part.outer_diameter - part.inner_diameter * part.inner_diameter) * part.density;
+  const double body =
+      pi / 4.0 * (part.outer_diameter * part.outer_diameter - part.inner_diameter * part.inner_diameter) * part.density;
   const std::string key = "string[" + std::to_string(parse_scene(smallest, "x").string.size() - 1) + "].linear_mass";
   EXPECT_EQ(0u, remarks(key + "=" + std::to_string(2.1 * body)).at(0).rfind("x: " + key + ": ", 0));
   for (const double share : {1.0, 1.9}) EXPECT_TRUE(remarks(key + "=" + std::to_string(share * body)).empty()) << share;
-  const std::string collar = "string=[{name: bit, type: bit, length: 0.3, mass: 50, diameter: 0.25}, {name: collar, type: collar, joints: 1, joint_length: 9.4, "
-                             "outer_diameter: 0.165, inner_diameter: 0.0714, linear_mass: 0.136}, {name: pipe, type: pipe, joints: fill, joint_length: 9.5, "
-                             "outer_diameter: 0.127, inner_diameter: 0.1086, linear_mass: 31.9}]";
+  const std::string collar =
+      "string=[{name: bit, type: bit, length: 0.3, mass: 50, diameter: 0.25}, {name: collar, type: collar, joints: 1, "
+      "joint_length: 9.4, "
+      "outer_diameter: 0.165, inner_diameter: 0.0714, linear_mass: 0.136}, {name: pipe, type: pipe, joints: fill, joint_length: "
+      "9.5, "
+      "outer_diameter: 0.127, inner_diameter: 0.1086, linear_mass: 31.9}]";
   ASSERT_EQ(1u, remarks(collar).size()) << "in tonnes a metre";
-  EXPECT_EQ(0u, remarks(collar).front().rfind("x: string[1].linear_mass: 0.136 kg/m does not match its diameters and density (136 kg/m)", 0)) << remarks(collar).front();
+  EXPECT_EQ(0u, remarks(collar).front().rfind(
+                    "x: string[1].linear_mass: 0.136 kg/m does not match its diameters and density (136 kg/m)", 0))
+      << remarks(collar).front();
   ASSERT_EQ(1u, remarks("well.stations=[[0, 0, 0], [40, 0, 0], [50, 60, 0]]").size());
-  EXPECT_NE(std::string::npos, remarks("well.stations=[[0, 0, 0], [40, 0, 0], [50, 60, 0]]").front().find("well.stations: from 40.00 to 50.00 m the hole turns by 180 deg/30 m"));
+  EXPECT_NE(std::string::npos, remarks("well.stations=[[0, 0, 0], [40, 0, 0], [50, 60, 0]]")
+                                   .front()
+                                   .find("well.stations: from 40.00 to 50.00 m the hole turns by 180 deg/30 m"));
 }
 
 // What was read is shown of a key that a scene has.
@@ -228,10 +245,17 @@ TEST(SceneRead, AWrongWordIsShown)
     }
     return "accepted";
   };
-  EXPECT_EQ("setting: string[0].type: \"tricone\" is not known, allowed: bit, mud_motor, collar, stabilizer, mwd, pipe or rotary_steerable", message("string[0].type=tricone"));
-  EXPECT_EQ("setting: string[0].type: a list is not known, allowed: bit, mud_motor, collar, stabilizer, mwd, pipe or rotary_steerable", message("string[0].type=[bit]"));
-  EXPECT_EQ(0u, message("mud.density=1,2").rfind("setting: mud.density: \"1,2\" is not a number, allowed: 0 to 3000 kg/m3", 0)) << message("mud.density=1,2");
-  EXPECT_EQ(0u, message("mud.density='1200'").rfind("setting: mud.density: \"1200\" in quotes is not a number", 0)) << message("mud.density='1200'");
+  EXPECT_EQ(
+      "setting: string[0].type: \"tricone\" is not known, allowed: bit, mud_motor, collar, stabilizer, mwd, pipe or "
+      "rotary_steerable",
+      message("string[0].type=tricone"));
+  EXPECT_EQ(
+      "setting: string[0].type: a list is not known, allowed: bit, mud_motor, collar, stabilizer, mwd, pipe or rotary_steerable",
+      message("string[0].type=[bit]"));
+  EXPECT_EQ(0u, message("mud.density=1,2").rfind("setting: mud.density: \"1,2\" is not a number, allowed: 0 to 3000 kg/m3", 0))
+      << message("mud.density=1,2");
+  EXPECT_EQ(0u, message("mud.density='1200'").rfind("setting: mud.density: \"1200\" in quotes is not a number", 0))
+      << message("mud.density='1200'");
   EXPECT_EQ("setting: string[1].joints: must be 1 to 10000, or fill (got \"two\")", message("string[1].joints=two"));
 }
 
@@ -270,7 +294,8 @@ TEST(SurveyCsv, ASurveyFromTheTableNeedsNoTieIn)
 
 TEST(SceneRead, AWellIsTiedIn)
 {
-  const std::vector<SurveyStation> above = parse_scene(smallest, "x", {"well.stations=[[20, 0, 0], [50, 0, 0]]", "well.tie_in={tvd: 20}"}).well.survey;
+  const std::vector<SurveyStation> above =
+      parse_scene(smallest, "x", {"well.stations=[[20, 0, 0], [50, 0, 0]]", "well.tie_in={tvd: 20}"}).well.survey;
   ASSERT_EQ(4u, above.size());
   for (std::size_t i = 0; i < 4; ++i)
   {
@@ -304,7 +329,8 @@ std::string survey_refusal(const std::string& text)
 TEST(SurveyCsv, ARowLongerThanItsHeaderIsRefused)
 {
   const std::string header = "md_m,inclination_deg,azimuth_deg\n";
-  EXPECT_EQ(":3: has 6 cells, the header 3, allowed: the same number, with decimal points", survey_refusal(header + "0,0,0\n30,0,1,5,297,0\n"));
+  EXPECT_EQ(":3: has 6 cells, the header 3, allowed: the same number, with decimal points",
+            survey_refusal(header + "0,0,0\n30,0,1,5,297,0\n"));
   EXPECT_NE("", survey_refusal(header + "0,0,0,0\n30,1,297,0\n")) << "a nought is a number, too";
   EXPECT_EQ("", survey_refusal(header + "0,0,0,,\n30,1,297,\n")) << "as spreadsheets fill up";
 }
@@ -322,8 +348,10 @@ TEST(SurveyCsv, MayBeginWithAByteOrderMark)
 
 TEST(SurveyCsv, FilesThatHoldNothingOrNeverEnd)
 {
-  const std::string needed = "needed: a survey: a table with the columns md_m, inclination_deg, azimuth_deg, or a WITSML trajectory";
-  for (const char* text : {"", "\n", "# md_m,inclination_deg,azimuth_deg\n"}) EXPECT_EQ(": is empty, " + needed, survey_refusal(text));
+  const std::string needed =
+      "needed: a survey: a table with the columns md_m, inclination_deg, azimuth_deg, or a WITSML trajectory";
+  for (const char* text : {"", "\n", "# md_m,inclination_deg,azimuth_deg\n"})
+    EXPECT_EQ(": is empty, " + needed, survey_refusal(text));
   // a regular file without a size that goes on for 256 GB
   EXPECT_EQ(": is larger than 16 MiB, " + needed, refusal_of_file("/proc/self/pagemap"));
 }
@@ -356,9 +384,10 @@ TEST(ReadScene, aDepthInFeetIsTheSameDepthInSurveyAndScene)
   {
     const std::string feet = std::to_string(depth);
     std::ofstream(file) << "MD (ft),Inc (deg),Azi (deg)\n0,0,0\n" << feet << ",2,30\n";
-    const Scene scene = read_scene(in_source("config/scenes/quick.yaml"),
-                                   {"well={survey: {file: " + file + "}, sections: [{to: " + feet + " ft, diameter: 0.2159, friction: 0.3}]}",
-                                    "start.bit_depth=" + feet + " ft"});
+    const Scene scene =
+        read_scene(in_source("config/scenes/quick.yaml"),
+                   {"well={survey: {file: " + file + "}, sections: [{to: " + feet + " ft, diameter: 0.2159, friction: 0.3}]}",
+                    "start.bit_depth=" + feet + " ft"});
     EXPECT_EQ(scene.well.survey.back().md, scene.well.hole_depth) << feet;
     EXPECT_EQ(scene.well.hole_depth, scene.well.sections.back().to) << feet;
     EXPECT_EQ(scene.well.hole_depth, scene.start.bit_depth) << feet;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Surveys' cells and delimiters: digits in groups, bars, numbered stations, a turn that no hole has.
 #include "survey_reading.h"
 
@@ -18,49 +19,66 @@ TEST(SceneSurvey, ATurnThatNoHoleHasIsReported)
   const std::string head = "MD (m),Inc (deg),Azi (deg)\n0,0,0\n500,1,40\n";
   const SurveyTable table = read(head + "510,80,40\n540,81,40\n");
   ASSERT_EQ(1u, table.remarks.size());
-  EXPECT_TRUE(holds(table.remarks[0], "from 500.00 to 510.00 m the hole turns by 237 deg/30 m, more than drilled holes do; is one of the stations wrong?")) << table.remarks[0];
+  EXPECT_TRUE(
+      holds(table.remarks[0],
+            "from 500.00 to 510.00 m the hole turns by 237 deg/30 m, more than drilled holes do; is one of the stations wrong?"))
+      << table.remarks[0];
   EXPECT_TRUE(read(head + "530,30,40\n").remarks.empty()) << "29 deg/30 m: a short radius";
 }
 
 TEST(SceneSurvey, ItsOwnVerticalDepthsAreCompared)
 {
-  const auto remarks = [](const char* last) { return read("MD (m),Inc (deg),Azi (deg),TVD (ft)\n0,0,0,50\n500,0,0,\n1000,10,45," + std::string(last) + "\n").remarks; };
+  const auto remarks = [](const char* last)
+  { return read("MD (m),Inc (deg),Azi (deg),TVD (ft)\n0,0,0,50\n500,0,0,\n1000,10,45," + std::string(last) + "\n").remarks; };
   // 500 m down, then an arc of 10 deg over 500 m: 500 sin(10 deg)/(10 deg in rad) = 497.466 m; the table lies 50 ft lower
   EXPECT_TRUE(remarks("3322.5").empty()) << "997.47 m and 50 ft";
   EXPECT_TRUE(remarks("3308").empty()) << "by another method";
   ASSERT_EQ(1u, remarks("997.5").size()) << "of metres";
-  EXPECT_TRUE(holds(remarks("997.5")[0], "its vertical depth at 1000.00 m is 304.04 m, by minimum curvature 1012.71 m; is a unit or a column wrong?")) << remarks("997.5")[0];
+  EXPECT_TRUE(holds(remarks("997.5")[0],
+                    "its vertical depth at 1000.00 m is 304.04 m, by minimum curvature 1012.71 m; is a unit or a column wrong?"))
+      << remarks("997.5")[0];
 }
 
 TEST(SceneSurvey, ItsOwnPlacesAreCompared)
 {
   const auto table = [](double north, double east, const char* first = "0,0")
   {
-    return read("MD (m),Inc (deg),Azi (deg),TVD (m),NS (m),EW (m)\n0,0,0,0," + std::string(first) + "\n500,0,0,500,,\n1000,10,45,997.47," + std::to_string(north) + "," +
-                std::to_string(east) + "\n");
+    return read("MD (m),Inc (deg),Azi (deg),TVD (m),NS (m),EW (m)\n0,0,0,0," + std::string(first) +
+                "\n500,0,0,500,,\n1000,10,45,997.47," + std::to_string(north) + "," + std::to_string(east) + "\n");
   };
   // 500 (1 - cos(10 deg))/(10 deg in rad) = 43.52 m to north-east
   EXPECT_TRUE(table(30.78, 30.78).remarks.empty());
   EXPECT_TRUE(table(31.5, 30.0).remarks.empty()) << "azimuths of a grid";
   ASSERT_EQ(1u, table(43.5, 0.0).remarks.size());
-  EXPECT_TRUE(holds(table(43.5, 0.0).remarks[0], "its north and east at 1000.00 m are 43.50 and 0.00 m, by minimum curvature 30.7"));
+  EXPECT_TRUE(
+      holds(table(43.5, 0.0).remarks[0], "its north and east at 1000.00 m are 43.50 and 0.00 m, by minimum curvature 30.7"));
   const SurveyTable map = table(6543240.78, 456819.78, "6543210,456789");
   ASSERT_EQ(1u, map.remarks.size()) << map.remarks.back();
-  EXPECT_TRUE(holds(map.remarks[0], "north 6543210.00 m and east 456789.00 m look like map coordinates: positions are relative to the first station"));
+  EXPECT_TRUE(
+      holds(map.remarks[0],
+            "north 6543210.00 m and east 456789.00 m look like map coordinates: positions are relative to the first station"));
   EXPECT_EQ(0.0, map.tie_in->north);
 }
 
 TEST(SceneSurvey, DigitsInGroups)
 {
   const std::string head = "MD (m);Inc (deg);Azi (deg)\n", above = "0;0;0\n500;1;40\n";
-  for (const auto& [row, remark] : {std::pair<const char*, const char*>{"1,234.50;2.5;40.25", "its numbers have commas between groups of digits (first: line 4: 1,234.50)"},
-                                    {"1,234;2.5;40.25", "its numbers have commas between groups of digits (first: line 4: 1,234)"},
-                                    {"1.234,50;2,5;40,25", "its numbers have points between groups of digits (first: line 4: 1.234,50)"},
-                                    {"1 234,50;2,5;40,25", ""},
-                                    {"1\xe2\x80\xaf" "234.5;2.5;40.25", ""},
-                                    {"1\xc2\xa0" "234,5;2,5;40,25", ""},
-                                    {"1'234.5;2.5;40.25", ""},
-                                    {"1\xe2\x80\x99" "234.5;2.5;40.25", ""}})
+  for (const auto& [row, remark] :
+       {std::pair<const char*, const char*>{"1,234.50;2.5;40.25",
+                                            "its numbers have commas between groups of digits (first: line 4: 1,234.50)"},
+        {"1,234;2.5;40.25", "its numbers have commas between groups of digits (first: line 4: 1,234)"},
+        {"1.234,50;2,5;40,25", "its numbers have points between groups of digits (first: line 4: 1.234,50)"},
+        {"1 234,50;2,5;40,25", ""},
+        {"1\xe2\x80\xaf"
+         "234.5;2.5;40.25",
+         ""},
+        {"1\xc2\xa0"
+         "234,5;2,5;40,25",
+         ""},
+        {"1'234.5;2.5;40.25", ""},
+        {"1\xe2\x80\x99"
+         "234.5;2.5;40.25",
+         ""}})
   {
     const SurveyTable table = read(head + above + row + "\n");
     expect_station(table.stations[2], std::string(row) == "1,234;2.5;40.25" ? 1234.0 : 1234.5, 2.5, 40.25);
@@ -70,7 +88,8 @@ TEST(SceneSurvey, DigitsInGroups)
   const SurveyTable mixed = read("MD (m)\tInc (deg)\tAzi (deg)\n0\t0\t0\n1,000\t2\t40\n1,234.5\t2.5\t40\n");
   EXPECT_DOUBLE_EQ(1000.0, mixed.stations[1].md) << "a whole number beside one with both signs";
   EXPECT_DOUBLE_EQ(1000.0, read("MD (m),Inc (deg),Azi (deg)\n0,0,0\n\"1,000\",2.5,40\n").stations[1].md);
-  EXPECT_TRUE(holds(refusal(head + above + "1,234.5;2;40\n1.334,5;2;40\n"), ":5: 1.334,5 has another decimal sign than 1,234.5 (line 4), needed: one decimal sign in all numbers"));
+  EXPECT_TRUE(holds(refusal(head + above + "1,234.5;2;40\n1.334,5;2;40\n"),
+                    ":5: 1.334,5 has another decimal sign than 1,234.5 (line 4), needed: one decimal sign in all numbers"));
   EXPECT_TRUE(holds(refusal(head + above + "1,234.5;2,5;40\n"), ":4: Inc (deg): must be a finite number (got \"2,5\")"));
   EXPECT_TRUE(holds(refusal(head + above + "1.234,5;2.5;40\n"), "the file mixes decimal commas and decimal points"));
   EXPECT_TRUE(holds(refusal(head + above + "1 23,5;2,5;40\n"), ":4: MD (m): must be a finite number (got \"1 23,5\")"));

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Text files: any encoding that the trade writes comes back as the same UTF-8, what is no text is refused in one line.
 #include <gtest/gtest.h>
 
@@ -48,8 +49,13 @@ TEST(SceneText, Utf16OfBothOrders)
 
 TEST(SceneText, FilesThatAreNoTextAreNamed)
 {
-  for (const auto& [mark, kind] : {std::pair<const char*, const char*>{"PK\x03\x04", "is a spreadsheet (xlsx) or another zip file, needed: a text file, for example a spreadsheet saved as CSV"},
-                                   {"\xd0\xcf\x11\xe0", "is a spreadsheet (xls)"}, {"\x1f\x8b\x08", "is compressed (gzip)"}, {"%PDF-1.7", "is a PDF file"}})
+  for (const auto& [mark, kind] :
+       {std::pair<const char*, const char*>{
+            "PK\x03\x04",
+            "is a spreadsheet (xlsx) or another zip file, needed: a text file, for example a spreadsheet saved as CSV"},
+        {"\xd0\xcf\x11\xe0", "is a spreadsheet (xls)"},
+        {"\x1f\x8b\x08", "is compressed (gzip)"},
+        {"%PDF-1.7", "is a PDF file"}})
   {
     const DecodedText decoded = decode_text(std::string(mark) + std::string(20, '\0'));
     EXPECT_EQ(0u, decoded.wrong.rfind(kind, 0)) << decoded.wrong;
@@ -63,7 +69,8 @@ TEST(SceneText, OtherBytesAreLatin)
   EXPECT_TRUE(decoded.is_latin);
   EXPECT_EQ("51\xc2\xb0 \xc3\xb8 \xe2\x82\xac\xef\xbf\xbd\n", decoded.text);
   // overlong, a surrogate, beyond 10FFFF, cut off: none of them is UTF-8
-  for (const char* bytes : {"\xc0\xaf", "\xed\xa0\x80", "\xf4\x90\x80\x80", "\xe2\x82"}) EXPECT_TRUE(decode_text(bytes).is_latin) << bytes;
+  for (const char* bytes : {"\xc0\xaf", "\xed\xa0\x80", "\xf4\x90\x80\x80", "\xe2\x82"})
+    EXPECT_TRUE(decode_text(bytes).is_latin) << bytes;
 }
 
 TEST(SceneText, NulIsInNoText)
@@ -80,14 +87,16 @@ TEST(SceneText, ASurveySaysTheSameInEachEncoding)
   const TemporaryFolder folder;
   const std::string table = "md_m,Inc (\xc2\xb0),azimuth_deg\n0,0,0\n100,2,40\n", file = folder.file("survey.csv");
   const std::string latin = "md_m,Inc (\xb0),azimuth_deg\n0,0,0\n100,2,40\n";
-  for (const std::string& bytes : {table, "\xef\xbb\xbf" + table, utf16(u"md_m,Inc (\u00b0),azimuth_deg\n0,0,0\n100,2,40\n", false), latin})
+  for (const std::string& bytes :
+       {table, "\xef\xbb\xbf" + table, utf16(u"md_m,Inc (\u00b0),azimuth_deg\n0,0,0\n100,2,40\n", false), latin})
   {
     std::ofstream(file) << bytes;
     const SurveyTable survey = read_survey_file(file);
     ASSERT_EQ(2u, survey.stations.size());
     EXPECT_EQ(40.0 * degree, survey.stations[1].azimuth);
     const bool is_latin = bytes == latin;
-    EXPECT_EQ(is_latin ? std::vector<std::string>{file + ": is not UTF-8; read as latin-1"} : std::vector<std::string>{}, survey.remarks);
+    EXPECT_EQ(is_latin ? std::vector<std::string>{file + ": is not UTF-8; read as latin-1"} : std::vector<std::string>{},
+              survey.remarks);
   }
 }
 

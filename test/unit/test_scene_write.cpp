@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A scene that is written out is the same scene when it is read again.
 #include <gtest/gtest.h>
 
@@ -38,13 +39,16 @@ TEST(WriteScene, givesEveryKeyBackToTheLastBit)
 
 TEST(WriteScene, givesSettingsAndUnitsBack)
 {
-  expect_back(parse_scene(scene_of_all_keys, "all_keys.yaml", {"mud.density=10.1 ppg", "numerics.integrator=auto", "numerics.level=auto", "numerics.step=0"}));
-  expect_back(parse_scene(scene_of_all_keys, "all_keys.yaml", {"string[0].torque={model: detournay, wear_friction: 0.3}", "trajectory={stage_two_steps: 7}"}));
+  expect_back(parse_scene(scene_of_all_keys, "all_keys.yaml",
+                          {"mud.density=10.1 ppg", "numerics.integrator=auto", "numerics.level=auto", "numerics.step=0"}));
+  expect_back(parse_scene(scene_of_all_keys, "all_keys.yaml",
+                          {"string[0].torque={model: detournay, wear_friction: 0.3}", "trajectory={stage_two_steps: 7}"}));
 }
 
 TEST(WriteScene, givesTheHoleOfATieInBackToRounding)
 {
-  const Scene scene = parse_scene(scene_of_all_keys, "all_keys.yaml", {"well.stations=[[400, 3, 4], [900, 5, 6]]", "well.tie_in={north: 12, east: -9, tvd: 399}"});
+  const Scene scene = parse_scene(scene_of_all_keys, "all_keys.yaml",
+                                  {"well.stations=[[400, 3, 4], [900, 5, 6]]", "well.tie_in={north: 12, east: -9, tvd: 399}"});
   const Scene again = parse_scene(write_scene(scene), "written.yaml");
   ASSERT_EQ(scene.well.survey.size(), again.well.survey.size());
   for (std::size_t i = 0; i < scene.well.survey.size(); ++i)

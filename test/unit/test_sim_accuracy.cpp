@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What makes a run inaccurate is told, with a remedy; an accurate one is left in peace.
 #include <gtest/gtest.h>
 
@@ -96,16 +97,19 @@ TEST(Accuracy, saysWhereWhatAndWhatHelps)
 {
   EXPECT_EQ(text_of(AccuracyReport()), "");
   EXPECT_EQ(text_of({AccuracyDoubt::measured, 0.031, 0.0, 0.0, 0.02, Output::torque, {0.004, 0.005, 0.025, 0.0}}),
-            "torque: measured error 3.1 % of its range over 3 s; over 30 s 0.4 % in the average, 0.5 % in the deviation, 2.5 % in the extremes; numerics.tolerance is 2 %."
+            "torque: measured error 3.1 % of its range over 3 s; over 30 s 0.4 % in the average, 0.5 % in the deviation, 2.5 % "
+            "in the extremes; numerics.tolerance is 2 %."
             " Use only what is within it, or set numerics.refinement: 2");
   EXPECT_EQ(text_of({AccuracyDoubt::compression, 4.0, 812.0, 9.5}),
-            "an element of 9.5 m, 812 m above the bit, carries 4.00 times the compression that it can represent; use numerics.element_length: 4.2 or less");
+            "an element of 9.5 m, 812 m above the bit, carries 4.00 times the compression that it can represent; use "
+            "numerics.element_length: 4.2 or less");
   EXPECT_EQ(text_of({AccuracyDoubt::twist, 2.0, 812.0, 9.5}),
             "an element of 9.5 m, 812 m above the bit, is twisted by 2.00 rad; use numerics.element_length: 4.2 or less");
   EXPECT_EQ(text_of({AccuracyDoubt::embedding, 0.0062, 1.8, 0.0}),
             "1.8 m above the bit the string is 6.2 mm deep in the wall, more than its clearance; use a larger contact.stiffness");
   EXPECT_EQ(text_of({AccuracyDoubt::slant, 12.0 * degree, 0.0, 0.0}),
-            "the hole is inclined by 12 deg at the rotary table, but the rig is upright: hook load and torque include a bend there; use a well.survey that begins vertical");
+            "the hole is inclined by 12 deg at the rotary table, but the rig is upright: hook load and torque include a bend "
+            "there; use a well.survey that begins vertical");
 }
 // Programs of users compare them: none changes.
 TEST(Accuracy, reasonsHaveCodesThatStay)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A frame allocates nothing: operator new is counted while the rig drills.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A bent motor that its hole bends straight is reported, one that leans in it is not.
 #include <gtest/gtest.h>
 
@@ -16,7 +17,8 @@ namespace
 /// A motor of 6 3/4 in in a hole of 8 1/2 in at 60 deg; `sleeve`: over its blades, 0: none [m].
 Scene bent_motor(double bend, double sleeve, double bit_to_sleeve = 0.9)
 {
-  Scene scene = scene_in({{0.0, 0.0, 0.0}, {100.0, 0.0, 0.0}, {700.0, 60.0 * degree, 0.0}, {1000.0, 60.0 * degree, 0.0}}, 1000.0, 990.0, 0.2);
+  Scene scene = scene_in({{0.0, 0.0, 0.0}, {100.0, 0.0, 0.0}, {700.0, 60.0 * degree, 0.0}, {1000.0, 60.0 * degree, 0.0}}, 1000.0,
+                         990.0, 0.2);
   scene.string = {bit_part(0.2159), motor_part(bend), collar_part(3, 9.4), pipe_part(0, 9.5, tool_jointed_mass)};
   scene.string[1].motor->sleeve_diameter = sleeve;
   scene.string[1].motor->bit_to_sleeve = bit_to_sleeve;
@@ -50,7 +52,8 @@ TEST(AssemblyFit, aMotorThatLeansInItsHole)
   EXPECT_FALSE(tight_at_rest(bent_motor(0.5 * degree, 0.2064))) << "a sleeve of 8 1/8 in below half a degree";
 }
 
-// Pressed aside with 50 kN under little weight the bit drills sideways by the rock law: by tens of degrees within a metre, were it not for the body behind it.
+// Pressed aside with 50 kN under little weight the bit drills sideways by the rock law: by tens of degrees within a metre, were
+// it not for the body behind it.
 TEST(AssemblyFit, theHoleTurnsNoFasterThanTheBodyLetsIt)
 {
   Scene scene = bent_motor(1.5 * degree, 0.20955);
@@ -67,7 +70,8 @@ TEST(AssemblyFit, theHoleTurnsNoFasterThanTheBodyLetsIt)
     ASSERT_EQ(FrameStatus::running, rig.frame(0.01)) << rig.failure();
     warned = warned || rig.statistics().accuracy.doubt == AccuracyDoubt::turn;
   }
-  const double most = rig.statistics().tight->turn * (2.0 - 0.5 * 0.2159), turned = std::acos(before.dot(rig.wellbore().end_direction()));
+  const double most = rig.statistics().tight->turn * (2.0 - 0.5 * 0.2159),
+               turned = std::acos(before.dot(rig.wellbore().end_direction()));
   EXPECT_TRUE(warned);
   EXPECT_TRUE(rig.truth().accuracy_warning);
   EXPECT_GT(rig.truth().hole_depth, 1000.02);

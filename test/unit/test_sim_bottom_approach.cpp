@@ -1,4 +1,6 @@
-// Operation drill without a tag before it: the weight on bit comes to what is asked without an overshoot, zeroed while the string is lowered.
+// SPDX-License-Identifier: BSD-3-Clause
+// Operation drill without a tag before it: the weight on bit comes to what is asked without an overshoot, zeroed while the string
+// is lowered.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -37,7 +39,8 @@ Scene scene_with(const Operation& drills, double above)
   return scene;
 }
 
-/// A string of stiffness K on rock that does not give way, whose weight its gauge shows `delay` later; drag turns round over dF/K of the block's way.
+/// A string of stiffness K on rock that does not give way, whose weight its gauge shows `delay` later; drag turns round over dF/K
+/// of the block's way.
 struct Rod
 {
   double stiffness, delay, drag, bottom;  // [N/m], [s], [N], way of the block to bottom [m]
@@ -128,7 +131,8 @@ TEST(BottomApproach, drillWithoutATagKeepsTheWeight)
         }
         EXPECT_LT(most, 1.2 * 20e3) << above << ' ' << speed;
         EXPECT_NEAR(sum, 20e3, 600.0) << above << ' ' << speed;
-        EXPECT_NEAR(rig.truth().wob, 20e3, place == HookLoadPlace::block ? 600.0 : 3e3) << above << ' ' << speed << ": the dead line shows less";
+        EXPECT_NEAR(rig.truth().wob, 20e3, place == HookLoadPlace::block ? 600.0 : 3e3)
+            << above << ' ' << speed << ": the dead line shows less";
       }
 }
 }  // namespace test_sim_bottom_approach

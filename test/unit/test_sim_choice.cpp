@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What level auto comes to: one test a rule.
 #include <gtest/gtest.h>
 
@@ -77,7 +78,8 @@ TEST(Choice, bendingEverywhereWhereAVerticalHoleIsCrooked)
 {
   for (const double crooked : {1.0, 2.0, 3.0})
     for (const double depth : {1200.0, 2100.0, 3600.0})
-      EXPECT_EQ(choose(wobbling(crooked * degree, 15.0 * degree, depth)).level, Level::beam3d) << crooked << " deg, " << depth << " m";
+      EXPECT_EQ(choose(wobbling(crooked * degree, 15.0 * degree, depth)).level, Level::beam3d)
+          << crooked << " deg, " << depth << " m";
   EXPECT_EQ(choose(wobbling(0.1 * degree, 15.0 * degree, 600.0)).level, Level::hybrid);
   EXPECT_EQ(choose(wobbling(2.9 * degree, 15.0 * degree, 2100.0, 0.0)).level, Level::hybrid) << "nothing rubs";
 }
@@ -86,7 +88,8 @@ TEST(Choice, bendingEverywhereWhereAVerticalHoleIsCrooked)
 TEST(Choice, torqueOfBendsIsTheSoftStrings)
 {
   Scene scene = vertical_scene(2000.0, 2000.0, 0.2);
-  scene.well.survey = {{0.0, 0.0, 0.0}, {990.0, 0.0, 0.0}, {1000.0, 2.0 * degree, 0.0}, {1100.0, 2.0 * degree, 0.0}, {1110.0, 0.0, 0.0}, {2000.0, 0.0, 0.0}};
+  scene.well.survey = {{0.0, 0.0, 0.0},    {990.0, 0.0, 0.0}, {1000.0, 2.0 * degree, 0.0}, {1100.0, 2.0 * degree, 0.0},
+                       {1110.0, 0.0, 0.0}, {2000.0, 0.0, 0.0}};
   const double weight = standard_gravity * tool_jointed_mass * (1.0 - scene.mud.density / steel_density);
   EXPECT_NEAR(torque_of_bends(scene, 2000.0), 0.2 * 0.084 * weight * (895.0 + 1005.0) * 2.0 * degree, 2.0);
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What a command leaves in the state by itself, and what the clock's shift does to it.
 #include <gtest/gtest.h>
 
@@ -145,7 +146,8 @@ TEST(TopDriveCommand, anAngleIsTakenAsFarAsADoubleResolvesIt)
 TEST(TopDriveCommand, everyModeIsTaken)
 {
   const RigSpec rig;
-  for (const TopDriveMode mode : {TopDriveMode::speed, TopDriveMode::torque, TopDriveMode::angle, TopDriveMode::soft_torque, TopDriveMode::z_torque})
+  for (const TopDriveMode mode :
+       {TopDriveMode::speed, TopDriveMode::torque, TopDriveMode::angle, TopDriveMode::soft_torque, TopDriveMode::z_torque})
   {
     CommandState state;
     TopDriveSetpoint c;

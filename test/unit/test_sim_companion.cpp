@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A companion goes through what its leader goes through, and changes nothing of it.
 #include <gtest/gtest.h>
 
@@ -117,7 +118,8 @@ TEST(Companion, measuresTheErrorThatWarnsOnAsTheRigItselfRuns)
   turn_and_feed(alone, 0.1);
   double largest = 0.0;
   bool warned = false;
-  play_on(rig, 4.0, [&](const Simulator& now)
+  play_on(rig, 4.0,
+          [&](const Simulator& now)
           {
             largest = std::max(largest, now.measured_error(Output::wob));
             const bool told = now.statistics().accuracy.doubt == AccuracyDoubt::measured;
@@ -203,7 +205,8 @@ TEST(Companion, isGivenUpInRealTimeWhereItIsTooSlow)
     turn_and_feed(*s, 0.02);
     play_on(*s, 30.0);  // without waiting for the clock: the run is faster than its companion
   }
-  EXPECT_EQ(rig.statistics().not_measured, std::string("the companion was too slow for real time: no processor core was free for it"));
+  EXPECT_EQ(rig.statistics().not_measured,
+            std::string("the companion was too slow for real time: no processor core was free for it"));
   EXPECT_FALSE(rig.statistics().error_is_measured);
   EXPECT_TRUE(std::isnan(rig.measured_error(Output::wob)));
   EXPECT_FALSE(rig.truth().accuracy_warning);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A stand is added to the string in the slips, or taken away: depths stay, the hook load follows, nothing jumps.
 #include <gtest/gtest.h>
 
@@ -14,7 +15,7 @@ using namespace drill_rig_sim;
 namespace
 {
 constexpr Level levels[] = {Level::beam3d, Level::hybrid, Level::axial_torsional, Level::rigid};
-constexpr double stand = 3 * 9.5;  // [m]
+constexpr double stand = 3 * 9.5;                                              // [m]
 constexpr double stand_weight = stand * tool_jointed_mass * standard_gravity;  // in air [N]
 
 /// How much a rig's signals change from frame to frame.
@@ -53,7 +54,8 @@ Jumps connect_watched(Simulator& rig, bool remove)
   return jumps;
 }
 
-/// Bounds: what smooth courses over 5 s and 38 s (the block at no more than 1.5 m/s) make in 10 ms, and the rest load of up to 1 kN.
+/// Bounds: what smooth courses over 5 s and 38 s (the block at no more than 1.5 m/s) make in 10 ms, and the rest load of up to 1
+/// kN.
 void expect_smooth(const Jumps& jumps)
 {
   EXPECT_LT(jumps.hook_load, 1.5 * 1.2 * stand_weight / 5.0 * slips_frame + 5.0);
@@ -118,7 +120,8 @@ TEST(Connection, takesAStandAway)
   }
 }
 
-// Slacked off further than needed, so that the block leans on the pipe by 60 kN: nothing jumps all the same, and the string that comes out is the same.
+// Slacked off further than needed, so that the block leans on the pipe by 60 kN: nothing jumps all the same, and the string that
+// comes out is the same.
 TEST(Connection, beginsUnderTheWeightOfTheBlock)
 {
   Simulator rig(slips_scene(Level::axial_torsional));
@@ -184,9 +187,12 @@ TEST(Connection, isRefusedWithALine)
   EXPECT_STREQ(rig.make_connection(0, false), "connection: the pump runs, allowed: off");
   rig.command(PumpSetpoint{0.0});
   play_on(rig, 10.0);
-  EXPECT_STREQ(rig.make_connection(0, false), "connection: the hook carries more than block and pipe above the slips, allowed: up to 10 kN more, slack off first");
+  EXPECT_STREQ(
+      rig.make_connection(0, false),
+      "connection: the hook carries more than block and pipe above the slips, allowed: up to 10 kN more, slack off first");
   bring_hook_to(rig, 5e3);
-  EXPECT_STREQ(rig.make_connection(0, false), "connection: the block rests on the pipe, allowed: only on its lines, pick up first");
+  EXPECT_STREQ(rig.make_connection(0, false),
+               "connection: the block rests on the pipe, allowed: only on its lines, pick up first");
   bring_hook_to(rig, block_weight(rig) + weight_above_slips(rig));
   EXPECT_STREQ(rig.make_connection(4, false), "connection: the block would rise above highest_block_height");
   EXPECT_STREQ(rig.make_connection(1, true), "connection: the block would go below lowest_block_height");
@@ -199,16 +205,19 @@ TEST(Connection, isRefusedWithALine)
   EXPECT_STREQ(rig.make_connection(0, false), "connection: a connection is already under way");
   EXPECT_STREQ(rig.set_slips(false), "slips: the connection is broken out, it must be made up first");
   EXPECT_STREQ(rig.command(PumpSetpoint{0.01}).reason, "the connection is broken out: the pump is locked, allowed: 0");
-  EXPECT_STREQ(rig.command(WinchSetpoint{0.1, false}).reason, "the connection is broken out: the crew moves the block until it is made up");
+  EXPECT_STREQ(rig.command(WinchSetpoint{0.1, false}).reason,
+               "the connection is broken out: the crew moves the block until it is made up");
 
   Scene scene = slips_scene(Level::axial_torsional);
   scene.start.block_height = 20.0;
   Simulator high(scene);
   lay_into_slips(high);
-  EXPECT_STREQ(high.make_connection(1, false), "connection: the slips hold another joint than the one to break out, move the block there first");
+  EXPECT_STREQ(high.make_connection(1, false),
+               "connection: the slips hold another joint than the one to break out, move the block there first");
 }
 
-// Pipe that lies on its wall sticks the firmer the longer it rests: the connection counts, for the string goes on resting in the slips.
+// Pipe that lies on its wall sticks the firmer the longer it rests: the connection counts, for the string goes on resting in the
+// slips.
 TEST(Connection, letsFrictionGrow)
 {
   Scene scene = slips_scene(Level::axial_torsional, 0.3);

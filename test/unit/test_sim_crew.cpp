@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // connections: auto. The crew drills on by stands, and trips.
 #include <gtest/gtest.h>
 
@@ -71,8 +72,9 @@ TEST(Crew, addsAStandWhateverTheFramesLength)
   }
 }
 
-// Ten stands: the hole is ten stands deeper, the string ten stands longer, what was asked of drive and pump is in force again, and the depths that
-// the driller reads are the true ones but for the string's stretch, of which a tenth of a millimetre a stand is new.
+// Ten stands: the hole is ten stands deeper, the string ten stands longer, what was asked of drive and pump is in force again,
+// and the depths that the driller reads are the true ones but for the string's stretch, of which a tenth of a millimetre a stand
+// is new.
 TEST(Crew, drillsTenStands)
 {
   Simulator rig(soft_rock(Level::axial_torsional));
@@ -119,8 +121,9 @@ TEST(Crew, goesThroughItsOperations)
                turns_in_slips |= m.in_slips && std::abs(m.top_drive_speed) > 0.02;
                return m.stand_count > stands && m.crew == CrewTask::none;
              });
-  const std::vector<CrewTask> all = {CrewTask::none,       CrewTask::stopping,   CrewTask::lifting,    CrewTask::quieting, CrewTask::slacking,
-                                      CrewTask::connecting, CrewTask::picking_up, CrewTask::restarting, CrewTask::lowering, CrewTask::none};
+  const std::vector<CrewTask> all = {CrewTask::none,     CrewTask::stopping,   CrewTask::lifting,    CrewTask::quieting,
+                                     CrewTask::slacking, CrewTask::connecting, CrewTask::picking_up, CrewTask::restarting,
+                                     CrewTask::lowering, CrewTask::none};
   EXPECT_EQ(log.operations, all);
   EXPECT_FALSE(pumps_in_slips);
   EXPECT_FALSE(turns_in_slips);
@@ -152,8 +155,8 @@ TEST(Crew, handsBackWhatIsAskedLast)
   EXPECT_NEAR(rig.truth().flow, 0.03, 1e-3);
 }
 
-// A trip out of 3 km and in again. Without friction the hook carries block, string in mud and the stretch in air, closed form, whenever the block
-// runs; the depth read is the tally's, and at the end all is where it was.
+// A trip out of 3 km and in again. Without friction the hook carries block, string in mud and the stretch in air, closed form,
+// whenever the block runs; the depth read is the tally's, and at the end all is where it was.
 TEST(Crew, tripsOutOfThreeKilometresAndIn)
 {
   Scene scene = slips_scene(Level::rigid);
@@ -173,7 +176,8 @@ TEST(Crew, tripsOutOfThreeKilometresAndIn)
     depth_error = std::max(depth_error, std::abs(rig.readings().bit_depth - m.bit_depth));
     if (m.crew != CrewTask::none) return;
     const double pipe = (m.bit_depth - 0.3 - 2 * 9.4) * tool_jointed_mass;
-    const double expected = standard_gravity * ((bit + collars + pipe) * (1.0 - scene.mud.density / steel_density) + tool_jointed_mass * m.block_height);
+    const double expected = standard_gravity * ((bit + collars + pipe) * (1.0 - scene.mud.density / steel_density) +
+                                                tool_jointed_mass * m.block_height);
     worst = std::max(worst, std::abs(m.hook_load_string - expected));
   };
   rig.command(WinchSetpoint{1.0, false});
@@ -198,7 +202,8 @@ TEST(Crew, tripsOutOfThreeKilometresAndIn)
   EXPECT_LT(worst, 50.0);
   EXPECT_NEAR(rig.save()->string.length, length, 1e-6);
   EXPECT_LT(depth_error, 0.02);
-  EXPECT_NEAR(rig.truth().bit_depth + rig.truth().block_height, 3000.0 + scene.start.block_height, 0.01) << "the string is what it was";
+  EXPECT_NEAR(rig.truth().bit_depth + rig.truth().block_height, 3000.0 + scene.start.block_height, 0.01)
+      << "the string is what it was";
 }
 
 TEST(Crew, needsRoomAndPipe)
@@ -228,7 +233,8 @@ TEST(Crew, comesForAnOperation)
     o.speed = 0.5;
     return o;
   };
-  Operation out = operation(OperationKind::trip), in = out, taken = operation(OperationKind::connection), pump = operation(OperationKind::flow);
+  Operation out = operation(OperationKind::trip), in = out, taken = operation(OperationKind::connection),
+            pump = operation(OperationKind::flow);
   Operation wait = operation(OperationKind::wait);
   wait.time = 5.0;
   pump.flow = 0.02;
@@ -298,10 +304,12 @@ TEST(Crew, operationsThatCannotBeAreTold)
     return std::string(rig.failure());
   };
   const double none = Operation::unset;
-  EXPECT_EQ(fails({operation(OperationKind::connection, none, none)}),
-            "operations: connection: the bit reaches bottom before the block is low enough to add a stand, needed: drill deeper first");
+  EXPECT_EQ(
+      fails({operation(OperationKind::connection, none, none)}),
+      "operations: connection: the bit reaches bottom before the block is low enough to add a stand, needed: drill deeper first");
   EXPECT_EQ(fails({operation(OperationKind::trip, 206.0, none)}), "operations: trip goes below the bottom of the hole");
-  EXPECT_EQ(fails({operation(OperationKind::trip, 2.0, none)}), "operations: the block is at its highest place, and there is no stand to take away");
+  EXPECT_EQ(fails({operation(OperationKind::trip, 2.0, none)}),
+            "operations: the block is at its highest place, and there is no stand to take away");
   scene.operations = {operation(OperationKind::trip, 206.0, none)};
   ASSERT_EQ(scene_problems(scene).size(), 1u);
   EXPECT_EQ(scene_problems(scene).front().text, "206 m is below the hole's bottom, allowed: down to 205.05 m");

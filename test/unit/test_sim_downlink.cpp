@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A downlink by the pump's flow: what it says, and what is lost.
 #include <gtest/gtest.h>
 
@@ -18,7 +19,8 @@ constexpr double bit_time = 12.0, dt = 0.1, high = 0.03;
 /// Flow [m3/s] of a downlink that began `time` [s] ago; the pump takes 3 s from low to high.
 double flow_of(const SteeringSetpoint& command, double time, double lowered = 0.7)
 {
-  const auto at = [&](double t) { return high * (DownlinkReceiver::is_low(command, static_cast<int>(std::floor(t / bit_time))) ? lowered : 1.0); };
+  const auto at = [&](double t)
+  { return high * (DownlinkReceiver::is_low(command, static_cast<int>(std::floor(t / bit_time))) ? lowered : 1.0); };
   double mean = 0.0;
   for (int k = 0; k < 30; ++k) mean += at(time - 0.1 * k) / 30.0;
   return mean;
@@ -82,12 +84,13 @@ TEST(Downlink, aWrongBitIsLost)
   for (int wrong = 1; wrong < 10; ++wrong)
   {
     const SteeringSetpoint command{90.0 * degree, 0.6};
-    const auto got = heard([&](double time)
-                           {
-                             const bool here = static_cast<int>(std::floor(time / bit_time)) == wrong;
-                             const bool is_low = DownlinkReceiver::is_low(command, static_cast<int>(std::floor(time / bit_time))) != here;
-                             return is_low ? 0.7 * high : high;
-                           });
+    const auto got = heard(
+        [&](double time)
+        {
+          const bool here = static_cast<int>(std::floor(time / bit_time)) == wrong;
+          const bool is_low = DownlinkReceiver::is_low(command, static_cast<int>(std::floor(time / bit_time))) != here;
+          return is_low ? 0.7 * high : high;
+        });
     EXPECT_FALSE(got) << wrong;
   }
 }

@@ -1,4 +1,6 @@
-// The top drive's modes on a whole string: an angle that is held, rocking, a stall with its back-spin, and snapshots in the middle of each.
+// SPDX-License-Identifier: BSD-3-Clause
+// The top drive's modes on a whole string: an angle that is held, rocking, a stall with its back-spin, and snapshots in the
+// middle of each.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -54,12 +56,13 @@ TEST(SimDriveModes, turnsTheStringToAnAngleAndHoldsItWhileTheBlockMoves)
     rig.command(to_angle(angle));
     play(rig, 45.0);
     rig.command(WinchSetpoint{angle > 18.0 ? -0.1 : 0.1, false});
-    play(rig, 10.0, [&](const Truth& t)
-    {
-      EXPECT_TRUE(t.top_drive_brake_set);
-      EXPECT_NEAR(t.top_drive_angle, angle, angle_tolerance);
-      wound = std::max(wound, std::abs(t.torque));
-    });
+    play(rig, 10.0,
+         [&](const Truth& t)
+         {
+           EXPECT_TRUE(t.top_drive_brake_set);
+           EXPECT_NEAR(t.top_drive_angle, angle, angle_tolerance);
+           wound = std::max(wound, std::abs(t.torque));
+         });
     rig.command(WinchSetpoint{0.0, true});
   }
   EXPECT_GT(wound, 500.0) << "the string pulls at the brake";
@@ -75,20 +78,21 @@ TEST(SimDriveModes, rocksTheStringWithoutTurningTheBit)
   rig.command(rock);
   play(rig, 20.0);
   double highest = -1e9, lowest = 1e9;
-  play(rig, 30.0, [&](const Truth& t)
-  {
-    highest = std::max(highest, t.top_drive_angle);
-    lowest = std::min(lowest, t.top_drive_angle);
-    EXPECT_NEAR(t.bit_speed, 0.0, 1e-3);
-    EXPECT_FALSE(t.top_drive_brake_set);
-  });
+  play(rig, 30.0,
+       [&](const Truth& t)
+       {
+         highest = std::max(highest, t.top_drive_angle);
+         lowest = std::min(lowest, t.top_drive_angle);
+         EXPECT_NEAR(t.bit_speed, 0.0, 1e-3);
+         EXPECT_FALSE(t.top_drive_brake_set);
+       });
   // the string's torque grows on the way, and the loop lags by its rate over k_i: 1.2 kN m/s, 0.03 rad
   EXPECT_NEAR(highest, 1.7, 0.07);
   EXPECT_NEAR(lowest, -0.4, 0.07);
 }
 
-// Gripped at 300 m the string takes the limit's torque and stands; let go it turns the drive back, faster the more is wound up; free, it
-// comes up to its speed without running away.
+// Gripped at 300 m the string takes the limit's torque and stands; let go it turns the drive back, faster the more is wound up;
+// free, it comes up to its speed without running away.
 TEST(SimDriveModes, stallsAtTheLimitSpinsBackAndRecovers)
 {
   Scene scene = vertical_scene(500.0, 400.0);
@@ -100,12 +104,13 @@ TEST(SimDriveModes, stallsAtTheLimitSpinsBackAndRecovers)
   turn.torque_limit = limit;
   rig.command(turn);
   play(rig, 40.0);
-  play(rig, 5.0, [&](const Truth& t)
-  {
-    EXPECT_TRUE(t.top_drive_limited);
-    EXPECT_NEAR(t.top_drive_speed, 0.0, 0.05);
-    EXPECT_NEAR(t.torque, limit, 1.05 * gearbox) << "the motor's, the gearbox holds on either side of it";
-  });
+  play(rig, 5.0,
+       [&](const Truth& t)
+       {
+         EXPECT_TRUE(t.top_drive_limited);
+         EXPECT_NEAR(t.top_drive_speed, 0.0, 0.05);
+         EXPECT_NEAR(t.torque, limit, 1.05 * gearbox) << "the motor's, the gearbox holds on either side of it";
+       });
 
   const double wound = rig.truth().torque, angle = rig.truth().top_drive_angle;
   rig.command(by_torque(0.0));
@@ -143,7 +148,8 @@ TEST(SimDriveModes, rampsTheSpeed)
 
 TEST(SimDriveModes, theEnergyBalanceClosesInEach)
 {
-  for (const TopDriveMode mode : {TopDriveMode::speed, TopDriveMode::soft_torque, TopDriveMode::z_torque, TopDriveMode::angle, TopDriveMode::oscillate})
+  for (const TopDriveMode mode :
+       {TopDriveMode::speed, TopDriveMode::soft_torque, TopDriveMode::z_torque, TopDriveMode::angle, TopDriveMode::oscillate})
   {
     Simulator rig(vertical_scene(100.0, 60.0));
     rig.balance_energy();
@@ -166,8 +172,14 @@ TEST(Snapshot, inEveryModeOfTheTopDriveIsBitIdentical)
   TopDriveSetpoint rock = in_mode(TopDriveMode::oscillate, 1.5);
   rock.angle = 12.0;
   rock.amplitude_right = rock.amplitude_left = 1.0;
-  const TopDriveSetpoint commands[] = {in_mode(TopDriveMode::speed, 4.0), in_mode(TopDriveMode::z_torque, 5.0), in_mode(TopDriveMode::soft_torque, 4.0),
-                                       to_angle(30.0), rock, by_torque(4e3), in_mode(TopDriveMode::z_torque, -3.0), in_mode(TopDriveMode::speed)};
+  const TopDriveSetpoint commands[] = {in_mode(TopDriveMode::speed, 4.0),
+                                       in_mode(TopDriveMode::z_torque, 5.0),
+                                       in_mode(TopDriveMode::soft_torque, 4.0),
+                                       to_angle(30.0),
+                                       rock,
+                                       by_torque(4e3),
+                                       in_mode(TopDriveMode::z_torque, -3.0),
+                                       in_mode(TopDriveMode::speed)};
   for (const TopDriveSetpoint& command : commands)
   {
     SCOPED_TRACE(static_cast<int>(command.mode));

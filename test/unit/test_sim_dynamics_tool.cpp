@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The tool of downhole dynamics: means and extremes of a period against closed forms, its telemetry, and what it sees of a rig.
 #include <gtest/gtest.h>
 
@@ -26,7 +27,8 @@ DynamicsSpec every(double period, double latency = 0.0)
 }
 }  // namespace
 
-// 4 s of a speed 5 + 3 sin(2 pi t): mean 5, extremes 2 and 8, index 0.6; a side-to-side motion of 0.1 sin(4 pi t) m/s: 0.4 pi m/s2, less by its frames.
+// 4 s of a speed 5 + 3 sin(2 pi t): mean 5, extremes 2 and 8, index 0.6; a side-to-side motion of 0.1 sin(4 pi t) m/s: 0.4 pi
+// m/s2, less by its frames.
 TEST(DynamicsTool, meansAndExtremesOfAPeriod)
 {
   DynamicsTool tool(every(4.0));
@@ -99,7 +101,8 @@ TEST(DynamicsTool, movesWithTheClock)
   EXPECT_EQ(still.arrived().time + 64.0, moved.arrived().time);
 }
 
-// Above the collars of a vertical well without friction: nothing on it off bottom, the bit's weight, torque and the drive's speed on it.
+// Above the collars of a vertical well without friction: nothing on it off bottom, the bit's weight, torque and the drive's speed
+// on it.
 TEST(DynamicsTool, seesWhatTheBitCarries)
 {
   Scene scene = drilling_scene(0.3, 0.0);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What cannot be solved stops time and nothing else: no number that is not finite ever leaves, and a restored state runs on.
 // Commands beyond the rig's limits are clamped, those that are no numbers refused.
 #include <gtest/gtest.h>
@@ -117,7 +118,8 @@ TEST(Simulator, everyNumberStaysFiniteUnderRoughHandling)
   EXPECT_EQ(running, 1000) << rig.failure();
 }
 
-// The seed's interpolation of one total rotation vector a node ends where the top has made a full turn: said, not shown as numbers.
+// The seed's interpolation of one total rotation vector a node ends where the top has made a full turn: said, not shown as
+// numbers.
 TEST(Simulator, totalRotationVectorsStopAtTheFirstFullTurn)
 {
   Scene scene = drilling_scene();
@@ -352,7 +354,8 @@ TEST(StickPipe, gripsTheNearestNodeOrRefuses)
     for (const NodeState& node : state.nodes)
     {
       if (node.position.z() >= 0.0) continue;
-      EXPECT_LE(std::abs(-state.nodes[held].position.z() - md), std::abs(-node.position.z() - md) + 0.02) << md;  // less the stretch
+      EXPECT_LE(std::abs(-state.nodes[held].position.z() - md), std::abs(-node.position.z() - md) + 0.02)
+          << md;  // less the stretch
     }
   }
   rig.free_pipe();

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Faults of all kinds: what is refused, what gauges show of theirs, programs, snapshots, the energy balance.
 #include <gtest/gtest.h>
 
@@ -27,17 +28,21 @@ TEST(Fault, whatMakesNoSenseIsRefused)
     EXPECT_NE(std::string(wrong).find(says), std::string::npos) << wrong;
     EXPECT_EQ(std::string(wrong).find('\n'), std::string::npos);
   };
-  for (const FaultKind kind : {FaultKind::stuck_pipe, FaultKind::differential_sticking, FaultKind::pack_off, FaultKind::washed_out_pipe})
+  for (const FaultKind kind :
+       {FaultKind::stuck_pipe, FaultKind::differential_sticking, FaultKind::pack_off, FaultKind::washed_out_pipe})
     for (const double nowhere : {0.0, -1.0, bit + 0.1, nan, inf}) refused(at(kind, nowhere, 1e-3), "depth");
   for (const double nowhere : {0.0, -1.0, bottom + 0.1, nan}) refused(at(FaultKind::washed_out_hole, nowhere, 0.1), "depth");
   for (const double nowhere : {-1.0, bottom + 0.1, nan}) refused(at(FaultKind::friction_change, nowhere, 2.0), "depth");
   for (int kind = 0; kind < fault_count; ++kind)
     if (has_magnitude(static_cast<FaultKind>(kind)))
-      for (const double senseless : {nan, inf, -inf, 1e12}) refused(at(static_cast<FaultKind>(kind), 50.0, senseless), "magnitude");
-  for (const FaultKind kind : {FaultKind::brake_slip, FaultKind::washed_out_hole, FaultKind::washed_out_pipe, FaultKind::differential_sticking,
-                               FaultKind::pack_off, FaultKind::formation_change, FaultKind::sensor_noise, FaultKind::sensor_bias, FaultKind::sensor_drift})
+      for (const double senseless : {nan, inf, -inf, 1e12})
+        refused(at(static_cast<FaultKind>(kind), 50.0, senseless), "magnitude");
+  for (const FaultKind kind : {FaultKind::brake_slip, FaultKind::washed_out_hole, FaultKind::washed_out_pipe,
+                               FaultKind::differential_sticking, FaultKind::pack_off, FaultKind::formation_change,
+                               FaultKind::sensor_noise, FaultKind::sensor_bias, FaultKind::sensor_drift})
     refused(at(kind, 50.0, 0.0), "magnitude");
-  for (const FaultKind kind : {FaultKind::brake_slip, FaultKind::pack_off, FaultKind::friction_change, FaultKind::sensor_noise}) refused(at(kind, 50.0, -1.0), "magnitude");
+  for (const FaultKind kind : {FaultKind::brake_slip, FaultKind::pack_off, FaultKind::friction_change, FaultKind::sensor_noise})
+    refused(at(kind, 50.0, -1.0), "magnitude");
   EXPECT_EQ(before, to_bytes(*rig.save())) << "nothing has changed";
   Simulator without_motor(drilling_scene(1.0));
   EXPECT_TRUE(without_motor.inject(at(FaultKind::motor_stall, 0.0)));
@@ -58,16 +63,19 @@ TEST(Fault, ofAGaugeShowsInItsReadingAlone)
   EXPECT_FALSE(rig.inject({FaultKind::sensor_noise, 0.0, 1e5, Gauge::stand_pipe_pressure}));
   const double height = rig.readings().block_height;
   double squares = 0.0;
-  play(rig, 10.0, [&](const Truth& truth) {
-    const Readings& shown = rig.readings();
-    squares += std::pow(shown.stand_pipe_pressure - truth.stand_pipe_pressure, 2) / 1000.0;
-    EXPECT_EQ(height, shown.block_height);
-    EXPECT_EQ(truth.hook_load + 1000.0, shown.hook_load);
-    EXPECT_EQ(1u << static_cast<int>(Gauge::torque), shown.lost_gauges);
-  });
+  play(rig, 10.0,
+       [&](const Truth& truth)
+       {
+         const Readings& shown = rig.readings();
+         squares += std::pow(shown.stand_pipe_pressure - truth.stand_pipe_pressure, 2) / 1000.0;
+         EXPECT_EQ(height, shown.block_height);
+         EXPECT_EQ(truth.hook_load + 1000.0, shown.hook_load);
+         EXPECT_EQ(1u << static_cast<int>(Gauge::torque), shown.lost_gauges);
+       });
   EXPECT_NEAR(std::sqrt(squares), 1e5, 1e4);
   EXPECT_NEAR(rig.readings().dead_line_hook_load, rig.truth().dead_line_hook_load - 2000.0, 1.0) << "the dead line's float";
-  for (const FaultKind kind : {FaultKind::sensor_freeze, FaultKind::sensor_bias, FaultKind::sensor_drift, FaultKind::sensor_dropout, FaultKind::sensor_noise})
+  for (const FaultKind kind : {FaultKind::sensor_freeze, FaultKind::sensor_bias, FaultKind::sensor_drift,
+                               FaultKind::sensor_dropout, FaultKind::sensor_noise})
     for (int g = 0; g < gauge_count; ++g) rig.clear(kind, static_cast<Gauge>(g));
   play(rig, 0.1);
   const Readings& shown = rig.readings();
@@ -88,7 +96,8 @@ TEST(Fault, theEnergyBalanceClosesUnderThem)
     Simulator rig(scene);
     drill_ahead(rig, 40.0 * rpm, 0.02, 0.05);
     play(rig, 3.0);
-    for (const Fault& fault : {at(FaultKind::pack_off, 60.0, 2e4), at(FaultKind::differential_sticking, 90.0, 1e7), at(FaultKind::friction_change, 50.0, 1.5)})
+    for (const Fault& fault : {at(FaultKind::pack_off, 60.0, 2e4), at(FaultKind::differential_sticking, 90.0, 1e7),
+                               at(FaultKind::friction_change, 50.0, 1.5)})
       EXPECT_FALSE(rig.inject(fault));
     rig.balance_energy();
     play(rig, 3.0);
@@ -159,10 +168,12 @@ TEST(Fault, livesInASnapshot)
       Simulator rig(scene, 3);
       drill_ahead(rig, 40.0 * rpm, 0.02, 0.02);
       play(rig, 3.0);
-      for (const Fault& fault : {at(FaultKind::pack_off, 60.0, 2e4), at(FaultKind::differential_sticking, 90.0, 1e6), at(FaultKind::friction_change, 50.0, 1.5),
-                                 at(FaultKind::formation_change, 0.0, 0.5), at(FaultKind::washed_out_hole, 100.0, 0.1), at(FaultKind::washed_out_pipe, 30.0, 1e-5),
-                                 at(FaultKind::motor_stall, 0.0), at(FaultKind::pump_trip, 0.0), at(FaultKind::brake_slip, 0.0, 1e5),
-                                 Fault{FaultKind::sensor_bias, 0.0, 5.0, Gauge::torque}, Fault{FaultKind::sensor_drift, 0.0, 5.0, Gauge::flow}})
+      for (const Fault& fault :
+           {at(FaultKind::pack_off, 60.0, 2e4), at(FaultKind::differential_sticking, 90.0, 1e6),
+            at(FaultKind::friction_change, 50.0, 1.5), at(FaultKind::formation_change, 0.0, 0.5),
+            at(FaultKind::washed_out_hole, 100.0, 0.1), at(FaultKind::washed_out_pipe, 30.0, 1e-5),
+            at(FaultKind::motor_stall, 0.0), at(FaultKind::pump_trip, 0.0), at(FaultKind::brake_slip, 0.0, 1e5),
+            Fault{FaultKind::sensor_bias, 0.0, 5.0, Gauge::torque}, Fault{FaultKind::sensor_drift, 0.0, 5.0, Gauge::flow}})
         EXPECT_FALSE(rig.inject(fault)) << traits_of(fault.kind).word;
       play(rig, 1.0);
       const auto saved = rig.save();
@@ -185,7 +196,8 @@ TEST(Fault, isListedWhileItIsUnderWay)
   for (int k = 0; k < fault_count; ++k)
   {
     const FaultTraits& traits = fault_traits[k];
-    Fault fault{static_cast<FaultKind>(k), traits.place == FaultPlace::nowhere ? 0.0 : 50.0, traits.magnitude.label ? 0.5 * std::min(1.0, traits.magnitude.most) : 0.0};
+    Fault fault{static_cast<FaultKind>(k), traits.place == FaultPlace::nowhere ? 0.0 : 50.0,
+                traits.magnitude.label ? 0.5 * std::min(1.0, traits.magnitude.most) : 0.0};
     fault.gauge = Gauge::flow;
     ASSERT_EQ(rig.inject(fault), nullptr) << traits.word;
     const std::string word = std::string(traits.word) + (is_of_gauge(fault.kind) ? " of flow" : "");

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A string that is not full of mud: its weight and forces by hand, its level by the bit's depth and by the pump, the energy
 // account.
 #include <gtest/gtest.h>
@@ -32,7 +33,10 @@ Scene tapered(double bit_depth, double level)
   return scene;
 }
 
-double circle(double diameter) { return 0.25 * pi * diameter * diameter; }
+double circle(double diameter)
+{
+  return 0.25 * pi * diameter * diameter;
+}
 
 /// Inside, from a level down to the bit, by where it is along the string [m3].
 double volume_below(double level, double bit_depth)
@@ -43,9 +47,15 @@ double volume_below(double level, double bit_depth)
 }
 
 /// Of air, from the rotary table down to a level [m3].
-double air_above(double level, double bit_depth) { return volume_below(0.0, bit_depth) - volume_below(level, bit_depth); }
+double air_above(double level, double bit_depth)
+{
+  return volume_below(0.0, bit_depth) - volume_below(level, bit_depth);
+}
 
-double string_load(const Scene& scene) { return build_at_rest(scene).statics.top_force; }
+double string_load(const Scene& scene)
+{
+  return build_at_rest(scene).statics.top_force;
+}
 
 void run_for(Simulator& rig, double seconds)
 {

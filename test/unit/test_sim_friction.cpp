@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A pipe in a hole 20 deg from the vertical, held by the winch and let go over a second: true sticking, or sliding by Coulomb's
 // law.
 #include <gtest/gtest.h>

@@ -1,4 +1,6 @@
-// Errors of a gauge, each against its closed form: samples that are held, lag, quantisation, drift, drop-outs, and what faults add to them.
+// SPDX-License-Identifier: BSD-3-Clause
+// Errors of a gauge, each against its closed form: samples that are held, lag, quantisation, drift, drop-outs, and what faults
+// add to them.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -151,7 +153,8 @@ TEST(Sensor, biasAndNoiseAreMeanAndDeviation)
   EXPECT_NEAR(error.deviation(), 2.0, 4.0 * 2.0 / std::sqrt(2.0 * n));
 }
 
-// Of 2000 gauges after 4 s: mean 0, deviation K sqrt(t), whatever the rate of their samples; and half the variance after half the time.
+// Of 2000 gauges after 4 s: mean 0, deviation K sqrt(t), whatever the rate of their samples; and half the variance after half the
+// time.
 TEST(Sensor, driftIsARandomWalk)
 {
   for (const double rate : {0.0, 1.0})
@@ -185,8 +188,8 @@ TEST(Sensor, driftIsARandomWalk)
   }
 }
 
-// Good for 4 s and lost for 1 s in the mean: a fifth of all time is lost. In frames the means are those of runs left with the probability q:
-// h/q, q = (1 - e^(-(a + b) h)) times a/(a + b) or b/(a + b).
+// Good for 4 s and lost for 1 s in the mean: a fifth of all time is lost. In frames the means are those of runs left with the
+// probability q: h/q, q = (1 - e^(-(a + b) h)) times a/(a + b) or b/(a + b).
 TEST(Sensor, dropOutsHaveTheirShareAndLength)
 {
   SensorSpec spec;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Instruments by themselves: clocks that are shifted, samples that are held, queues that are full, angles that go round.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A string that hangs in mud: its weight on the hook, its stretch.
 #include <gtest/gtest.h>
 
@@ -38,7 +39,8 @@ double stretch(double length, double weight_per_length, double below, double sti
   return (below * length + 0.5 * weight_per_length * length * length) / stiffness;
 }
 
-/// Hook load [N], every frame, of 2.35 km that come down at 0.5 m/s, are stopped after 6 s by the brake and ring for a minute: nothing damps it.
+/// Hook load [N], every frame, of 2.35 km that come down at 0.5 m/s, are stopped after 6 s by the brake and ring for a minute:
+/// nothing damps it.
 std::vector<double> load_that_rings(double tolerance)
 {
   Scene scene = vertical_scene(2400.0, 2350.0);
@@ -111,7 +113,8 @@ TEST(HangingString, loadRingsWithinTheToleranceForAMinute)
     const std::vector<double> load = load_that_rings(tolerance);
     ASSERT_EQ(load.size(), reference.size());
     double square = 0.0;
-    for (std::size_t k = 0; k < load.size(); ++k) square += std::pow(load[k] - reference[k], 2) / static_cast<double>(load.size());
+    for (std::size_t k = 0; k < load.size(); ++k)
+      square += std::pow(load[k] - reference[k], 2) / static_cast<double>(load.size());
     EXPECT_LT(std::sqrt(square), tolerance * (*high - *low)) << tolerance;
   }
 }

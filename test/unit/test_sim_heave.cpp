@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A floating rig: what waves do to hook load, depths, slips and connections.
 #include <gtest/gtest.h>
 
@@ -38,7 +39,8 @@ private:
 double line_stiffness(const Simulator& rig)
 {
   const HoistingSpec& hoisting = rig.scene().rig.hoisting;
-  return line_pull(hoisting, rig.truth().block_height, line_length_for(hoisting, rig.truth().block_height, rig.truth().hook_load)).stiffness;
+  return line_pull(hoisting, rig.truth().block_height, line_length_for(hoisting, rig.truth().block_height, rig.truth().hook_load))
+      .stiffness;
 }
 
 /// Pipe alone, that hangs free in its hole, without swab and surge.
@@ -52,9 +54,10 @@ Scene floating(double depth, Level level)
 }
 }  // namespace
 
-// A rod of mass m and length L that a spring K holds by the block's mass M on a floor that goes up and down by A at the rate w: its end is free, so its top moves as
-// if m tan(kL)/(kL) hung there, k = w sqrt(m/(L EA)); with M_e that and M, the block moves by A/(1 - w^2 M_e/K), the foot by 1/cos(kL) of it, and the lines pull by
-// w^2 M_e of it less where the floor is high, and by what then has left the mud more.
+// A rod of mass m and length L that a spring K holds by the block's mass M on a floor that goes up and down by A at the rate w:
+// its end is free, so its top moves as if m tan(kL)/(kL) hung there, k = w sqrt(m/(L EA)); with M_e that and M, the block moves
+// by A/(1 - w^2 M_e/K), the foot by 1/cos(kL) of it, and the lines pull by w^2 M_e of it less where the floor is high, and by
+// what then has left the mud more.
 TEST(Heave, hookLoadSwingsByTheMassThatHangsThere)
 {
   for (const Level level : {Level::beam3d, Level::axial_torsional})
@@ -111,7 +114,8 @@ TEST(Heave, aTareTakesTheMeanOverAPeriod)
   }
 }
 
-// A controller that lowers the block as fast as the floor comes up, by the readings: the string stands still, but for some millimetres by which it rings.
+// A controller that lowers the block as fast as the floor comes up, by the readings: the string stands still, but for some
+// millimetres by which it rings.
 TEST(Heave, aWinchThatFollowsTheReadingsCompensates)
 {
   Scene scene = floating(1000.0, Level::axial_torsional);
@@ -153,7 +157,8 @@ TEST(Heave, theClockAloneMovesNoFloor)
   EXPECT_EQ(first, again);
 }
 
-// Steps chosen by their error, up to 50 ms, with frames between; mud takes the start's waves within seconds, or steps stay short for them.
+// Steps chosen by their error, up to 50 ms, with frames between; mud takes the start's waves within seconds, or steps stay short
+// for them.
 TEST(Heave, longStepsFollowTheFloor)
 {
   Scene scene = floating(1000.0, Level::axial_torsional);
@@ -206,8 +211,8 @@ TEST(Heave, itsWorkIsBooked)
   EXPECT_LT(std::abs(e.numerical_share()), 0.01);
 }
 
-// Up and down in mud whose friction swabs: the string does work on the mud, and gravity none in the mean. The method holds a pressure for a step, and the accounts their mean,
-// so that they close with the square of the step.
+// Up and down in mud whose friction swabs: the string does work on the mud, and gravity none in the mean. The method holds a
+// pressure for a step, and the accounts their mean, so that they close with the square of the step.
 TEST(Heave, itSpendsOnTheMud)
 {
   double closure[2];
@@ -269,13 +274,15 @@ TEST(Heave, aStandIsAddedAmongWaves)
   Swing hook;
   play_on(rig, 10.0, [&](const Simulator& now) { hook(now.truth().hook_load); });
   const double above = rig.scene().rig.hoisting.block_mass + weight_above_slips(rig) / standard_gravity;
-  EXPECT_LT(hook.half(), waves.amplitude * std::pow(2.0 * pi / waves.period, 2) * above) << "what is above the slips goes with the floor";
+  EXPECT_LT(hook.half(), waves.amplitude * std::pow(2.0 * pi / waves.period, 2) * above)
+      << "what is above the slips goes with the floor";
   take_from_slips(rig);
   play_on(rig, 10.0);
   EXPECT_NEAR(rig.readings().bit_depth, depth, 0.3);
 }
 
-// The bit stands on a bottom that does not heave: lines, string, too lightly loaded to buckle, and the bit's contact are springs one after the other, pulled by the floor.
+// The bit stands on a bottom that does not heave: lines, string, too lightly loaded to buckle, and the bit's contact are springs
+// one after the other, pulled by the floor.
 TEST(Heave, onBottomTheStringIsPulled)
 {
   Scene scene = without_damping(vertical_scene(1000.0, 1000.0));
@@ -292,7 +299,8 @@ TEST(Heave, onBottomTheStringIsPulled)
          weight(m.time, m.wob);
        });
   const ContactLaw& bottom = scene.string[0].bit->bottom;
-  const double contact = bottom.exponent * std::pow(bottom.stiffness, 1.0 / bottom.exponent) * std::pow(scene.start.weight_on_bit, 1.0 - 1.0 / bottom.exponent);
+  const double contact = bottom.exponent * std::pow(bottom.stiffness, 1.0 / bottom.exponent) *
+                         std::pow(scene.start.weight_on_bit, 1.0 - 1.0 / bottom.exponent);
   const double expected = scene.rig.heave.amplitude / (1020.0 / (206e9 * pipe_area) + 1.0 / line_stiffness(rig) + 1.0 / contact);
   const double w = 2.0 * pi / waves.period, moved = scene.rig.hoisting.block_mass + 0.5 * 1020.0 * tool_jointed_mass;
   EXPECT_NEAR(hook.amplitude(), expected - w * w * scene.rig.heave.amplitude * moved, 0.01 * expected);

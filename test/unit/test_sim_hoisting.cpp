@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What a driller meets of block, lines and sheaves: bounce that dies, the dead line's reading, slack line, stops that hold.
 #include <gtest/gtest.h>
 
@@ -22,8 +23,8 @@ Scene hanging_scene()
 }
 }  // namespace
 
-// Lowered at 0.3 m/s and stopped: the rail takes 4 R of the lines' force a cycle of some 0.2 s, so 2 s later the load stands still; and the
-// dead line, whose sheaves do not turn any more, swings with it and not by their friction.
+// Lowered at 0.3 m/s and stopped: the rail takes 4 R of the lines' force a cycle of some 0.2 s, so 2 s later the load stands
+// still; and the dead line, whose sheaves do not turn any more, swings with it and not by their friction.
 TEST(Hoisting, aStopFromThreeTenthsComesToRest)
 {
   Scene scene = hanging_scene();
@@ -47,7 +48,8 @@ TEST(Hoisting, aStopFromThreeTenthsComesToRest)
   EXPECT_LT(late.half(), 500.0);
 }
 
-// Sheaves keep the friction of their last motion: 10 lines of e = 0.98 read 9.3 % more after lowering and 8.8 % less after raising.
+// Sheaves keep the friction of their last motion: 10 lines of e = 0.98 read 9.3 % more after lowering and 8.8 % less after
+// raising.
 TEST(Hoisting, theDeadLineRemembersWhichWayItMoved)
 {
   Simulator rig(hanging_scene());

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Faults of the hole and of the pipe in it: each shows as its law says, and is gone when it has ended.
 #include <gtest/gtest.h>
 
@@ -62,7 +63,8 @@ TEST(Fault, aPackOffHoldsMudBack)
   rigs.play_both(20.0);
   EXPECT_NEAR(rigs.difference(&RigSignals::hook_load), force - piston, 0.03 * piston);
   rigs.command(WinchSetpoint{0.0, true});
-  EXPECT_GT(rigs.difference(&RigSignals::ecd), 0.9 * plug / (standard_gravity * 140.0)) << "it shows in the density that the bit feels";
+  EXPECT_GT(rigs.difference(&RigSignals::ecd), 0.9 * plug / (standard_gravity * 140.0))
+      << "it shows in the density that the bit feels";
   rigs.faulty.clear(FaultKind::pack_off, Gauge::hook_load);
   rigs.play_both(60.0);
   EXPECT_NEAR(rigs.difference(&RigSignals::stand_pipe_pressure), 0.0, 0.01 * plug);
@@ -87,12 +89,14 @@ TEST(Fault, pipeThatRestsSticksByItsCake)
   double most = 0.0, begins = rigs.faulty.truth().time, broken = 0.0, free = 0.0;
   bool holds = true;
   play(rigs.sound, 60.0, [&](const Truth& truth) { free += truth.hook_load / 6000.0; });
-  play(rigs.faulty, 60.0, [&](const Truth& truth) {
-    holds = holds && truth.hook_load > most - 5e3;  // later it bounces
-    if (!holds || truth.hook_load <= most) return;
-    most = truth.hook_load;
-    broken = truth.time;
-  });
+  play(rigs.faulty, 60.0,
+       [&](const Truth& truth)
+       {
+         holds = holds && truth.hook_load > most - 5e3;  // later it bounces
+         if (!holds || truth.hook_load <= most) return;
+         most = truth.hook_load;
+         broken = truth.time;
+       });
   const double rest = rested + broken - begins, radius = 0.168 / 2.0;
   const double held = 0.3 * amount * sealed_width(radius, 0.2159 / 2.0 - radius) * sealed_share(rest);
   EXPECT_NEAR(most - free, held, 0.01 * held);
@@ -168,7 +172,9 @@ TEST(WashOut, isACosine)
   EXPECT_NEAR(0.05, wash_out(faults, 100.0 + 0.5 * wash_out_length).radius, 1e-12);
   EXPECT_EQ(0.0, wash_out(faults, 100.0 - wash_out_length).radius);
   for (const double md : {96.0, 99.0, 100.0, 103.0})
-    EXPECT_NEAR((wash_out(faults, md + 1e-5).radius - wash_out(faults, md - 1e-5).radius) / 2e-5, wash_out(faults, md).slope, 1e-8) << md;
+    EXPECT_NEAR((wash_out(faults, md + 1e-5).radius - wash_out(faults, md - 1e-5).radius) / 2e-5, wash_out(faults, md).slope,
+                1e-8)
+        << md;
 }
 
 TEST(Fault, pipeLiesClearInAWashOut)
@@ -220,7 +226,8 @@ TEST(Fault, aHoleInThePipeTakesPressureAway)
   EXPECT_NEAR(sound.bit_flow, 0.03, 1e-6);
   EXPECT_EQ(sound.flow, leaks.flow) << "the pump gives as much";
   EXPECT_LT(leaks.stand_pipe_pressure, 0.95 * sound.stand_pipe_pressure);
-  // what passes the bit makes nearly all the pressure, by its square; the leak sees less than that by the bore's friction above it
+  // what passes the bit makes nearly all the pressure, by its square; the leak sees less than that by the bore's friction above
+  // it
   const double through = leaks.bit_flow / sound.bit_flow;
   EXPECT_NEAR(leaks.stand_pipe_pressure, through * through * sound.stand_pipe_pressure, 0.05 * sound.stand_pipe_pressure);
   const double leak = leaks.flow - leaks.bit_flow;

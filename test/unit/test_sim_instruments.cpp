@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Surface sensors and MWD: bias, noise, delay, filter, latency, resolution, and what a snapshot's clock shift does to them.
 #include <gtest/gtest.h>
 

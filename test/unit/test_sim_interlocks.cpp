@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What a rig does of itself: limits that trip and stay, by what its gauges show, and what releases them.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Dead times of PLC and drawworks: when set points act, by frames that are counted.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Levels agree on what each of them can represent: torque and drag, waves, stick-slip, drilling.
 #include <gtest/gtest.h>
 
@@ -82,7 +83,8 @@ Course moving(const Scene& scene, double block_velocity, double speed)
 }
 
 const std::pair<Level, double> kGuidedLevels[] = {{Level::axial_torsional, 0.0}, {Level::hybrid, 200.0}, {Level::hybrid, 700.0}};
-const std::pair<Level, double> kLevelsOfSteadyLoads[] = {{Level::rigid, 0.0}, {Level::axial_torsional, 0.0}, {Level::hybrid, 200.0}, {Level::hybrid, 700.0}};
+const std::pair<Level, double> kLevelsOfSteadyLoads[] = {
+    {Level::rigid, 0.0}, {Level::axial_torsional, 0.0}, {Level::hybrid, 200.0}, {Level::hybrid, 700.0}};
 }  // namespace
 
 TEST(Levels, agreeOnTorqueAndDragOfTurningPipe)
@@ -93,7 +95,8 @@ TEST(Levels, agreeOnTorqueAndDragOfTurningPipe)
     for (const auto& [level, free_length] : kLevelsOfSteadyLoads)
     {
       const Course run = moving(at_level(deviated(), level, free_length), up, 60.0 * rpm);
-      EXPECT_NEAR(mean(run.hook_load), mean(reference.hook_load), 0.01 * mean(reference.hook_load)) << up << " m/s, free " << free_length;
+      EXPECT_NEAR(mean(run.hook_load), mean(reference.hook_load), 0.01 * mean(reference.hook_load))
+          << up << " m/s, free " << free_length;
       EXPECT_NEAR(mean(run.torque), mean(reference.torque), 0.01 * mean(reference.torque)) << up << " m/s, free " << free_length;
     }
   }
@@ -124,7 +127,8 @@ TEST(Levels, agreeOnDrilling)
     return watch(rig, 20.0, 10.0);
   };
   const Course reference = drilling(Level::beam3d, 0.0);
-  for (const auto& [level, free_length] : {std::make_pair(Level::rigid, 0.0), std::make_pair(Level::axial_torsional, 0.0), std::make_pair(Level::hybrid, 40.0)})
+  for (const auto& [level, free_length] :
+       {std::make_pair(Level::rigid, 0.0), std::make_pair(Level::axial_torsional, 0.0), std::make_pair(Level::hybrid, 40.0)})
   {
     const Course run = drilling(level, free_length);
     EXPECT_NEAR(mean(run.wob), mean(reference.wob), 0.01 * mean(reference.wob)) << free_length;
@@ -157,7 +161,8 @@ TEST(Levels, agreeOnStickSlip)
 
 namespace
 {
-/// Velocities (axial) or spins at three places of 400 m of hanging pipe, 40 and 90 m below a boundary at 200 m and above it, as a pulse passes them.
+/// Velocities (axial) or spins at three places of 400 m of hanging pipe, 40 and 90 m below a boundary at 200 m and above it, as a
+/// pulse passes them.
 std::vector<double> pulse(Level level, bool axial)
 {
   Scene scene = without_damping(vertical_scene(500.0, 400.0));
@@ -167,8 +172,11 @@ std::vector<double> pulse(Level level, bool axial)
   for (int i = 0; i + 1 < rig.model->nodes(); ++i)
   {
     const double x = (rig.model->mesh().nodes[i].from_bit - 120.0) / 10.0, shape = std::exp(-0.5 * x * x);
-    if (axial) rig.state.nodes[i].position.z() += 1e-4 * shape;
-    else rig.state.nodes[i].orientation = rig.state.nodes[i].orientation * rotation_from_vector(Eigen::Vector3d(1e-3 * shape, 0.0, 0.0));
+    if (axial)
+      rig.state.nodes[i].position.z() += 1e-4 * shape;
+    else
+      rig.state.nodes[i].orientation =
+          rig.state.nodes[i].orientation * rotation_from_vector(Eigen::Vector3d(1e-3 * shape, 0.0, 0.0));
   }
   settle_guided(rig.state);
   Stepper stepper(rig.model, find_method(IntegratorKind::automatic));
@@ -331,7 +339,8 @@ TEST(Levels, guideARunningRigWithoutABump)
     {
       for (Simulator* one : {&reference, &rig}) ASSERT_EQ(one->frame(kFrame), FrameStatus::running) << one->failure();
       const Truth &is = rig.truth(), &was = reference.truth();
-      ASSERT_NEAR(is.hook_load_string, was.hook_load_string, 0.01 * was.hook_load_string) << name << " after " << k * kFrame << " s";
+      ASSERT_NEAR(is.hook_load_string, was.hook_load_string, 0.01 * was.hook_load_string)
+          << name << " after " << k * kFrame << " s";
       ASSERT_NEAR(is.torque, was.torque, 0.01 * was.torque) << name << " after " << k * kFrame << " s";
       ASSERT_NEAR(is.bit_depth, was.bit_depth, 0.002) << name << " after " << k * kFrame << " s";
     }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Ten thousand turns of the top drive leave no trace in the string's twist.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What the pump does to the rig: pressures in hook load, stretch and steel, ECD, relief valve, energy, snapshots, the reference.
 #include <gtest/gtest.h>
 
@@ -18,8 +19,8 @@ namespace
 constexpr double hole = 0.2159;
 constexpr double bore_area = pi / 4.0 * pipe_inner * pipe_inner, outer_area = pi / 4.0 * pipe_outer * pipe_outer;
 
-/// Pipe that hangs 5 m off the bottom of 300 m, with little friction of mud in it: 18 MPa at 0.03 m3/s, most of it at the bit. What
-/// swings dies soon.
+/// Pipe that hangs 5 m off the bottom of 300 m, with little friction of mud in it: 18 MPa at 0.03 m3/s, most of it at the bit.
+/// What swings dies soon.
 Scene hanging(double hole_depth = 300.0)
 {
   Scene scene = vertical_scene(hole_depth, 295.0);
@@ -70,10 +71,12 @@ TEST(MudOnString, hookFeelsTheAnnulusAlone)
   EXPECT_NEAR(before - rig.truth().hook_load, lift, 0.01 * lift);
   StringProfile profile;
   rig.profile(profile);
-  EXPECT_NEAR(profile.true_axial_force.back() - profile.tension.back(), 18e6 * bore_area, 0.01 * 18e6 * bore_area) << "the swivel takes it";
+  EXPECT_NEAR(profile.true_axial_force.back() - profile.tension.back(), 18e6 * bore_area, 0.01 * 18e6 * bore_area)
+      << "the swivel takes it";
 }
 
-// e = ((1 - 2 nu)(p_i A_i - p_o A_o) - lift above)/(E A): p_i falls by the bore's friction, p_o and the lift grow in a straight line to the bit.
+// e = ((1 - 2 nu)(p_i A_i - p_o A_o) - lift above)/(E A): p_i falls by the bore's friction, p_o and the lift grow in a straight
+// line to the bit.
 TEST(MudOnString, pressureStretchesTheString)
 {
   const Scene scene = hanging();
@@ -84,8 +87,10 @@ TEST(MudOnString, pressureStretchesTheString)
   play(rig, 60.0);
   const HydraulicState mud = rig.save()->mechanics.hydraulics;
   const double ea = 206e9 * pipe_area, in_hole = 295.0, all = in_hole + scene.start.block_height;
-  const double friction = bore_gradient(scene.mud.density, scene.rig.mud_pump.max_flow, pipe_inner) * 0.25 * all;  // Q^2 from max_flow down
-  const double inside = 0.4 * (18e6 - 0.5 * friction) * bore_area * all, outside = 0.4 * 0.5 * mud.annulus_pressure * outer_area * in_hole;
+  const double friction =
+      bore_gradient(scene.mud.density, scene.rig.mud_pump.max_flow, pipe_inner) * 0.25 * all;  // Q^2 from max_flow down
+  const double inside = 0.4 * (18e6 - 0.5 * friction) * bore_area * all,
+               outside = 0.4 * 0.5 * mud.annulus_pressure * outer_area * in_hole;
   const double lift = mud.annulus_pressure * 0.25 * pi * pipe_outer * hole;
   // the lift takes from the tension everywhere above where it acts: of the part in the hole half of it, above the table all
   const double lifted = lift * (0.5 * in_hole + scene.start.block_height);
@@ -94,7 +99,8 @@ TEST(MudOnString, pressureStretchesTheString)
   EXPECT_NEAR(string_length(rig.truth()) - before, expected, 0.01 * expected);
 }
 
-// With the block held a string on bottom that grows puts weight on the bit, and takes it off the hook: all but the annulus's lift.
+// With the block held a string on bottom that grows puts weight on the bit, and takes it off the hook: all but the annulus's
+// lift.
 TEST(MudOnString, pumpPutsWeightOnTheBit)
 {
   Scene scene = hanging();
@@ -123,7 +129,8 @@ TEST(MudOnString, ecdIsThatOfTheAnnulus)
   EXPECT_EQ(rig.readings().ecd, rig.truth().ecd);
 }
 
-// Run in at v the mud's pressure at the bit rises by that of a flow v (A_o + K (A_h - A_o)), pulled out it falls; the hook feels it as lift.
+// Run in at v the mud's pressure at the bit rises by that of a flow v (A_o + K (A_h - A_o)), pulled out it falls; the hook feels
+// it as lift.
 TEST(MudDisplaced, runInItSurgesPulledOutItSwabs)
 {
   const double around = 0.25 * pi * hole * hole - outer_area;
@@ -204,8 +211,8 @@ TEST(MudPumped, aSnapshotInTheRampGoesOnTheSame)
   EXPECT_EQ(rig.truth().hook_load, hook_load);
 }
 
-// What the pressure does as it stretches the string is the pump's, and nothing is missing. Elastic energy is that of the effective tension
-// N: a free stretch that grows by e takes N e L from it, and the weight that goes down brings it back.
+// What the pressure does as it stretches the string is the pump's, and nothing is missing. Elastic energy is that of the
+// effective tension N: a free stretch that grows by e takes N e L from it, and the weight that goes down brings it back.
 TEST(MudPumped, energyIsClosed)
 {
   Scene scene = hanging();
@@ -257,7 +264,8 @@ TEST(MudPumped, referenceAgrees)
   }
   EXPECT_NEAR(rig.truth().hook_load, reference.truth().hook_load, 300.0);
   EXPECT_NEAR(string_length(rig.truth()), string_length(reference.truth()), 5e-4);
-  EXPECT_NEAR(rig.truth().stand_pipe_pressure, reference.truth().stand_pipe_pressure, 100.0) << "but for what the string displaces as it stretches";
+  EXPECT_NEAR(rig.truth().stand_pipe_pressure, reference.truth().stand_pipe_pressure, 100.0)
+      << "but for what the string displaces as it stretches";
 }
 namespace
 {
@@ -287,10 +295,12 @@ TEST(MudRheology, pumpedItHasTheLawsPressures)
   rig.command(PumpSetpoint{0.03});
   play(rig, 90.0);
   const double around = 0.25 * pi * hole * hole - outer_area, annulus = annulus_loss(scene, 0.03 / around);
-  const double bore = (295.0 + scene.start.block_height) * pressure_gradient(thick, scene.mud.density, {pipe_inner, 0.0, 0.0}, 0.03 / bore_area);
+  const double bore =
+      (295.0 + scene.start.block_height) * pressure_gradient(thick, scene.mud.density, {pipe_inner, 0.0, 0.0}, 0.03 / bore_area);
   const double all = annulus + bore + nozzle_loss(scene.mud.density, 0.03, 2e-4);
   EXPECT_NEAR(rig.truth().stand_pipe_pressure, all, 0.005 * all);
-  EXPECT_NEAR(rig.truth().ecd - scene.mud.density, annulus / (standard_gravity * 295.0), 0.02 * annulus / (standard_gravity * 295.0));
+  EXPECT_NEAR(rig.truth().ecd - scene.mud.density, annulus / (standard_gravity * 295.0),
+              0.02 * annulus / (standard_gravity * 295.0));
   EXPECT_NEAR(rig.truth().bit_flow, 0.03, 1e-5);
 }
 
@@ -304,7 +314,8 @@ TEST(MudRheology, slowRunningSurgesByItsYieldPoint)
     rig.command(WinchSetpoint{up, false});
     play(rig, 20.0);
     const double around = 0.25 * pi * hole * hole - outer_area;
-    const double expected = (up < 0.0 ? 1.0 : -1.0) * annulus_loss(scene, 0.1 * (outer_area / around + clinging(pipe_outer / hole, 0.0)));
+    const double expected =
+        (up < 0.0 ? 1.0 : -1.0) * annulus_loss(scene, 0.1 * (outer_area / around + clinging(pipe_outer / hole, 0.0)));
     EXPECT_NEAR(rig.save()->mechanics.hydraulics.annulus_pressure, expected, 0.05 * std::abs(expected));
   }
 }

@@ -1,5 +1,6 @@
-// Telemetry by pulses in the mud: a toolface with errors of its own, silent while the pipe turns; a survey taken in the quiet between two
-// flows; the inclination between surveys.
+// SPDX-License-Identifier: BSD-3-Clause
+// Telemetry by pulses in the mud: a toolface with errors of its own, silent while the pipe turns; a survey taken in the quiet
+// between two flows; the inclination between surveys.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -120,7 +121,8 @@ TEST(Toolface, isSentWhateverTheSpeedByDefault)
   EXPECT_EQ(1u, face.sequence);
 }
 
-// Flow to 10 s, then none to 40 s. The survey is of 15 s, as the pipe lay then, and begins its two seconds' way when the flow is back.
+// Flow to 10 s, then none to 40 s. The survey is of 15 s, as the pipe lay then, and begins its two seconds' way when the flow is
+// back.
 TEST(Mwd, takesASurveyInTheQuietAndSendsItWithTheFlow)
 {
   Mwd mwd(surveys_of_the_quiet(5.0), ToolfaceSpec());

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Drilling a vertical hole without friction: the winch sets the rate, the rock law the weight, and the hole grows by what is
 // drilled.
 #include <gtest/gtest.h>
@@ -202,8 +203,8 @@ TEST(OnBottom, aStartsTorqueIsHeldByTheBottomsRock)
   EXPECT_EQ(0u, refusal_of(scene).find("start: torque_on_bit: ")) << refusal_of(scene);
 }
 
-/// Direction of the hole after half a metre drilled on from a straight one at 20 deg, behind the bit a string of slick collars: turn of
-/// inclination and azimuth since [rad].
+/// Direction of the hole after half a metre drilled on from a straight one at 20 deg, behind the bit a string of slick collars:
+/// turn of inclination and azimuth since [rad].
 std::pair<double, double> drift(double side_cutting, double friction)
 {
   Scene scene = scene_in(build_and_hold(20.0, 0.5 * degree, slant, slant_azimuth, 200.0), 200.0, 199.99, friction);
@@ -215,8 +216,8 @@ std::pair<double, double> drift(double side_cutting, double friction)
   return {rig.truth().bit_inclination - slant, rig.truth().bit_azimuth - slant_azimuth};
 }
 
-// The textbook's pendulum: collars that hang from a far point of contact press the bit on the low side, and side cutting makes that drop.
-// Without friction it does not walk; with it the bit that turns clockwise climbs to the right on the low side.
+// The textbook's pendulum: collars that hang from a far point of contact press the bit on the low side, and side cutting makes
+// that drop. Without friction it does not walk; with it the bit that turns clockwise climbs to the right on the low side.
 TEST(OnBottom, pendulumDropsAndFrictionWalksItToTheRight)
 {
   const auto [drop, walk] = drift(0.3, 0.0);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What makes a driller stop: a motor that stalls, weight that runs away, a pressure that still rises while the weight is zeroed.
 #include <gtest/gtest.h>
 
@@ -72,7 +73,8 @@ TEST(OperationTroubleWatch, aStallThatStandsForTwoSeconds)
   EXPECT_EQ(look_for(watch, now, drilling(60e3), 20.0), OperationTrouble::none) << "a motor near its limit turns";
   now.rop = 0.0;
   EXPECT_EQ(look_for(watch, now, drilling(60e3), 1.8), OperationTrouble::none);
-  EXPECT_EQ(look_for(watch, now, drilling(60e3), 0.4), OperationTrouble::motor_stalled) << "a zero with the pressure that it took off bottom";
+  EXPECT_EQ(look_for(watch, now, drilling(60e3), 0.4), OperationTrouble::motor_stalled)
+      << "a zero with the pressure that it took off bottom";
   watch.begin(now.time);
   now.rop = 1e-3;
   now.differential_pressure = 2.0 * pi * motor.stall_torque / motor.displacement_per_rev;

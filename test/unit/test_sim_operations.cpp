@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What a driller does, one thing after the other: feed by weight against its closed form, and each operation's end.
 #include <gtest/gtest.h>
 
@@ -63,7 +64,8 @@ Operation drill(double distance)
 Scene scene_with(std::vector<Operation> operations, double above = 0.3)
 {
   Scene scene = drilling_scene(above, 0.0);
-  scene.instruments.hook_load.place = HookLoadPlace::block;  // the dead line's shows another share of the sheaves' friction at another speed
+  scene.instruments.hook_load.place =
+      HookLoadPlace::block;  // the dead line's shows another share of the sheaves' friction at another speed
   scene.operations = std::move(operations);
   return scene;
 }
@@ -143,7 +145,8 @@ TEST(Operations, aRampIsStraight)
 
 TEST(Operations, tagDrillAndPickUp)
 {
-  Scene scene = scene_with({flow(0.02), rotate(60.0 * rpm, 5.0), operation(OperationKind::tag), drill(0.3), move(OperationKind::pick_up, 0.2, 3.0)});
+  Scene scene = scene_with(
+      {flow(0.02), rotate(60.0 * rpm, 5.0), operation(OperationKind::tag), drill(0.3), move(OperationKind::pick_up, 0.2, 3.0)});
   scene.formation[0].drillability = 2e-8;  // 2.5 mm/s: some periods of the feed
   Simulator rig(scene);
   ScenePlayer player(rig.scene());
@@ -170,8 +173,9 @@ TEST(Operations, tagDrillAndPickUp)
   EXPECT_NEAR(rig.readings().block_height, block + 3.0, 0.01);
 }
 
-// By the dead line the string weighs more while it is lowered. A bit that comes to bottom before the string moves steadily has that zero too, in place of
-// the one at rest; one that is nearer to bottom than the way over which the sheaves' friction turns round is lifted first.
+// By the dead line the string weighs more while it is lowered. A bit that comes to bottom before the string moves steadily has
+// that zero too, in place of the one at rest; one that is nearer to bottom than the way over which the sheaves' friction turns
+// round is lifted first.
 TEST(Operations, tagZeroesTheMovingStringHoweverNearTheBottomIs)
 {
   for (const double above : {0.0, 0.005, 0.015, 0.03, 0.06, 0.15, 0.5})
@@ -225,7 +229,8 @@ TEST(Operations, tagOnBottomNeedsAZero)
   EXPECT_NE(std::string(rig.failure()).find("tag: the weight on bit cannot be zeroed"), std::string::npos) << rig.failure();
 }
 
-// By the dead line, whose sheaves take a tenth of the load when they turn back: rock that gets hard for a while leaves too much weight on the bit, which is drilled off.
+// By the dead line, whose sheaves take a tenth of the load when they turn back: rock that gets hard for a while leaves too much
+// weight on the bit, which is drilled off.
 TEST(Operations, drillDoesNotRunAwayFromHardRockByTheDeadLine)
 {
   Scene scene = scene_with({rotate(60.0 * rpm, 5.0), operation(OperationKind::tag), drill(50.0)});

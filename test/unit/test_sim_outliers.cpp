@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Outliers of a gauge and the pump's pulsation at the pressure gauge, against their closed forms.
 #include <gtest/gtest.h>
 
@@ -62,7 +63,8 @@ TEST(Sensor, anOutlierIsOneSampleLong)
 TEST(Instruments, thePumpPulsatesThreeTimesAStroke)
 {
   for (const double strokes : {0.0, 1.0 / 6.0, 5.0 / 6.0, 1234.5}) EXPECT_NEAR(pulsation_of(0.05, strokes), 0.0, 1e-9);
-  for (const double strokes : {1.0 / 12.0, 5.0 / 12.0, 9.0 / 12.0, 100.0 + 1.0 / 12.0}) EXPECT_NEAR(pulsation_of(0.05, strokes), 0.05, 1e-9);
+  for (const double strokes : {1.0 / 12.0, 5.0 / 12.0, 9.0 / 12.0, 100.0 + 1.0 / 12.0})
+    EXPECT_NEAR(pulsation_of(0.05, strokes), 0.05, 1e-9);
 }
 
 TEST(Readings, havePumpNoiseInThePressureAlone)

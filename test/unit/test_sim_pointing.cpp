@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A rotary steerable tool that points the bit: how the hole turns, its energy, its snapshots, and the levels at which it can.
 #include <gtest/gtest.h>
 
@@ -20,7 +21,7 @@ using Eigen::Vector3d;
 namespace
 {
 constexpr double pivot = 0.8, blades_at = 1.0, upper_at = 7.0, play_of_blades = 2e-4;  // above the bit's face; all round [m]
-constexpr double tilt = 0.45 * degree, weight = 40e3, side_cutting = 0.03;              // [rad, N, -]
+constexpr double tilt = 0.45 * degree, weight = 40e3, side_cutting = 0.03;             // [rad, N, -]
 
 PartSpec blades_of(double length, const char* name)
 {
@@ -36,7 +37,11 @@ Scene building_scene()
   PartSpec mwd = mwd_part();
   mwd.length = mwd.joint_length = upper_at - 0.15 - (blades_at + 0.15);
   mwd.mwd->sensor_offset = 2.0;
-  scene.string = {bit_part(0.2159), pointing_part(tilt, pivot, blades_at - 0.15 - 0.3), blades_of(0.3, "blades"), mwd, blades_of(0.3, "upper_blades"),
+  scene.string = {bit_part(0.2159),
+                  pointing_part(tilt, pivot, blades_at - 0.15 - 0.3),
+                  blades_of(0.3, "blades"),
+                  mwd,
+                  blades_of(0.3, "upper_blades"),
                   pipe_part(0, 9.5, tool_jointed_mass)};
   scene.string[0].bit->side_cutting = side_cutting;
   scene.formation[0].drillability = 1e-7;
@@ -49,10 +54,11 @@ struct Curvature
   double three_points, beam;  ///< [rad/m]
 };
 
-/// Of the hole that this tool drills on and on. Three points, bit and blades at b and c above it, on a circle: the bit lies theta a off the line
-/// through the blades, and e (1 + 2 b/d) for their play, the lower ones on the side to which the hole turns. And the beam through them, relative to a
-/// hole of curvature k: the three-moment equation at the lower blades with kink, curvature, play and weight w across; the bit drills along its axis,
-/// which leans by tau, and i_b of where the force F presses it, and stays on its circle:
+/// Of the hole that this tool drills on and on. Three points, bit and blades at b and c above it, on a circle: the bit lies theta
+/// a off the line through the blades, and e (1 + 2 b/d) for their play, the lower ones on the side to which the hole turns. And
+/// the beam through them, relative to a hole of curvature k: the three-moment equation at the lower blades with kink, curvature,
+/// play and weight w across; the bit drills along its axis, which leans by tau, and i_b of where the force F presses it, and
+/// stays on its circle:
 ///   M c/(3 EI) = theta a/b - k c/2 + e/b + 2 e/d + w (b^3 + d^3)/(24 EI),   d = c - b
 ///   tau = theta (b - a)/b - k b/2 - e/b - M b/(6 EI) + w b^3/(24 EI),   F = M/b - w b/2,   tau (1 - i_b) + i_b F/W = 0
 Curvature curvature_of(const BeamSection& s, double w)
@@ -95,11 +101,14 @@ TEST(Pointing, theHoleTurnsAsTheGeometryOfItsTouchPointsSays)
   }
   ASSERT_GT(rig.truth().hole_depth, 172.0);
   EXPECT_NEAR(wob / frames, weight, 0.05 * weight);
-  const double curvature = std::acos(from.dot(to)) / (rig.truth().hole_depth - depth), in_air = 136.0, mud = 1.0 - 1150.0 / steel_density;
-  const Curvature expected = curvature_of(tube_section(1.0, 0.165, 0.0714, 206e9, 0.3), in_air * mud * standard_gravity * std::sin(10.6 * degree));
+  const double curvature = std::acos(from.dot(to)) / (rig.truth().hole_depth - depth), in_air = 136.0,
+               mud = 1.0 - 1150.0 / steel_density;
+  const Curvature expected =
+      curvature_of(tube_section(1.0, 0.165, 0.0714, 206e9, 0.3), in_air * mud * standard_gravity * std::sin(10.6 * degree));
   EXPECT_NEAR(curvature, expected.beam, 0.04 * expected.beam);
   EXPECT_NEAR(curvature, expected.three_points, 0.1 * expected.three_points);
-  EXPECT_LT(std::abs(std::sin(10.0 * degree) * std::remainder(azimuth_of(to) - azimuth_of(from), 2.0 * pi)), 0.2 * std::acos(from.dot(to)));
+  EXPECT_LT(std::abs(std::sin(10.0 * degree) * std::remainder(azimuth_of(to) - azimuth_of(from), 2.0 * pi)),
+            0.2 * std::acos(from.dot(to)));
 }
 
 TEST(Pointing, itsActuatorsWorkIsBooked)
@@ -141,7 +150,8 @@ TEST(Pointing, needsFreeNodes)
   scene.numerics.free_length = 0.9;
   const ProblemList problems = scene_problems(scene);
   ASSERT_EQ(problems.size(), 1u);
-  EXPECT_EQ("numerics.free_length: 0.9 m ends below the pivot of a tool that points the bit, allowed: 0 or from 1 m on", problems[0].key + ": " + problems[0].text);
+  EXPECT_EQ("numerics.free_length: 0.9 m ends below the pivot of a tool that points the bit, allowed: 0 or from 1 m on",
+            problems[0].key + ": " + problems[0].text);
   std::swap(scene.numerics.free_length, scene.program.emplace_back().free_length);
   scene.numerics.free_length = 20.0;
   const ProblemList of_program = scene_problems(scene);
@@ -149,7 +159,8 @@ TEST(Pointing, needsFreeNodes)
   EXPECT_EQ("program[0].free_length: " + problems[0].text, of_program[0].key + ": " + of_program[0].text);
 }
 
-// Above the assembly the string may be guided; guided altogether it does not lean, and says that it does not represent the hole's direction.
+// Above the assembly the string may be guided; guided altogether it does not lean, and says that it does not represent the hole's
+// direction.
 TEST(Pointing, leansAtEveryLevelThatHasFreeNodes)
 {
   const auto pressed = [](Level level)
@@ -169,7 +180,8 @@ TEST(Pointing, leansAtEveryLevelThatHasFreeNodes)
   EXPECT_LT(pressed(Level::axial_torsional), 0.05 * free);
 }
 
-// Pads that are tilted by more than they give way: the bit sticks, and what holds it lets go within less than a tenth of a millisecond.
+// Pads that are tilted by more than they give way: the bit sticks, and what holds it lets go within less than a tenth of a
+// millisecond.
 TEST(Pointing, drillsOnWithABitThatJamsOnItsPads)
 {
   Simulator rig(read_scene(in_source("test/scenes/jamming_pads.yaml")));

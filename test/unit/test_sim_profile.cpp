@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What is shown along the string, by hand: forces of given elements, sides of given places, bending of a given arc, poses of
 // parts.
 #include <gtest/gtest.h>

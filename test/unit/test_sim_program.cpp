@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The program player gives each line's set points when its time has come, once, and leaves the others alone.
 #include <gtest/gtest.h>
 
@@ -69,9 +70,9 @@ TEST(ProgramPlayer, LinesActAtTheirTimes)
 // A brake of its own: set, it holds the velocity that stands; released, that velocity acts again.
 TEST(ProgramPlayer, BrakeIsSetAndReleased)
 {
-  Show show(
-      quick("[{at: 0, block_velocity: 0.1}, {at: 0.2, brake: true}, {at: 0.4, brake: false}, {at: 0.6, brake: false, block_velocity: "
-            "-0.02}, {at: 0.8, brake: true}, {at: 1.0, block_velocity: 0.03}]"));
+  Show show(quick(
+      "[{at: 0, block_velocity: 0.1}, {at: 0.2, brake: true}, {at: 0.4, brake: false}, {at: 0.6, brake: false, block_velocity: "
+      "-0.02}, {at: 0.8, brake: true}, {at: 1.0, block_velocity: 0.03}]"));
   EXPECT_FALSE(show.play(0.1).winch.brake);
   const Setpoints set = show.play(0.3);
   EXPECT_TRUE(set.winch.brake);
@@ -93,7 +94,8 @@ TEST(ProgramPlayer, BrakeIsSetAndReleased)
 // A line acts in the frame that starts at its time, not in the one before; what it leaves out stays as it was.
 TEST(ProgramPlayer, LinesActInOrderFromTheFrameThatStartsAtTheirTime)
 {
-  Show show(quick("[{at: 0.03, flow: 0.01}, {at: 0.05, flow: 0.02, top_drive_torque: 300}, {at: 0.07, top_drive_speed_rpm: 30}]"));
+  Show show(
+      quick("[{at: 0.03, flow: 0.01}, {at: 0.05, flow: 0.02, top_drive_torque: 300}, {at: 0.07, top_drive_speed_rpm: 30}]"));
   for (int k = 0; k < 12; ++k)
   {
     show.program.apply(show.simulator);
@@ -111,7 +113,9 @@ TEST(ProgramPlayer, LinesActInOrderFromTheFrameThatStartsAtTheirTime)
 // A program that comes late gives all lines that are due at once, in their order.
 TEST(ProgramPlayer, LinesThatAreOverdueActInTheirOrder)
 {
-  const Scene scene = quick("[{at: 0, flow: 0.01}, {at: 0.05, flow: 0.02, top_drive_torque: 300}, {at: 0.1, top_drive_speed_rpm: 30}, {at: 9, flow: 0}]");
+  const Scene scene = quick(
+      "[{at: 0, flow: 0.01}, {at: 0.05, flow: 0.02, top_drive_torque: 300}, {at: 0.1, top_drive_speed_rpm: 30}, {at: 9, flow: "
+      "0}]");
   Show show(scene);
   for (int k = 0; k < 20; ++k) ASSERT_EQ(show.simulator.frame(kFrame), FrameStatus::running);
   show.program.apply(show.simulator);
@@ -157,7 +161,8 @@ TEST(ProgramRamp, LeadsThereInAStraightLine)
 // 0 to 80 rpm in 80 ms is at 40 rpm after half of it; from there on down to 0 in 40 ms.
 TEST(ProgramRamp, ALaterLineGoesOnFromTheValueInForce)
 {
-  Show show(quick("[{at: 0, top_drive_speed_rpm: 80, ramp: 0.08}, {at: 0.04, top_drive_speed_rpm: 0, ramp: 0.04}, {at: 0.06, flow: 0.02}]"));
+  Show show(quick(
+      "[{at: 0, top_drive_speed_rpm: 80, ramp: 0.08}, {at: 0.04, top_drive_speed_rpm: 0, ramp: 0.04}, {at: 0.06, flow: 0.02}]"));
   const std::vector<Setpoints> now = played(show, 10);
   const double expected[] = {0.0, 10.0, 20.0, 30.0, 40.0, 30.0, 20.0, 10.0, 0.0, 0.0};
   for (int k = 0; k < 10; ++k) EXPECT_NEAR(now[k].top_drive.speed, expected[k] * rpm, 1e-12) << k;
@@ -179,7 +184,8 @@ TEST(ProgramRamp, IsNotOverBeforeItsEnd)
 TEST(ProgramRamp, BrakesEndIt)
 {
   Show show(
-      quick("[{at: 0, block_velocity: 0.08, top_drive_speed_rpm: 80, ramp: 0.08}, {at: 0.04, brake: true, top_drive_brake: true}, {at: 0.06, "
+      quick("[{at: 0, block_velocity: 0.08, top_drive_speed_rpm: 80, ramp: 0.08}, {at: 0.04, brake: true, top_drive_brake: "
+            "true}, {at: 0.06, "
             "block_velocity: 0.02, ramp: 0.02}]"));
   const std::vector<Setpoints> now = played(show, 10);
   EXPECT_NEAR(now[5].winch.block_velocity, 0.04, 1e-15);
@@ -195,7 +201,9 @@ TEST(ProgramRamp, BrakesEndIt)
 // In the other mode a ramp begins at what the drive does, and ends that mode's.
 TEST(ProgramRamp, ToAnotherModeBeginsAtWhatTheDriveDoes)
 {
-  Show show(quick("[{at: 0, top_drive_speed_rpm: 60, ramp: 3}, {at: 2, top_drive_torque: 4000, ramp: 1}, {at: 2.5, top_drive_speed_rpm: 0, ramp: 1}]"));
+  Show show(
+      quick("[{at: 0, top_drive_speed_rpm: 60, ramp: 3}, {at: 2, top_drive_torque: 4000, ramp: 1}, {at: 2.5, "
+            "top_drive_speed_rpm: 0, ramp: 1}]"));
   played(show, 200);
   const double torque = show.simulator.truth().torque;
   EXPECT_GT(torque, 10.0);
@@ -214,9 +222,13 @@ TEST(ProgramRamp, ToAnotherModeBeginsAtWhatTheDriveDoes)
 // A line's own word, or its keys; what it leaves out stays.
 TEST(ProgramPlayer, LinesNameTheModeOfTheTopDrive)
 {
-  Show show(quick("[{at: 0, top_drive_mode: z_torque, top_drive_speed_rpm: 60}, {at: 0.1, top_drive_speed_rpm: 30}, {at: 0.2, top_drive_mode: soft_torque, "
-                  "top_drive_torque_limit: 8000}, {at: 0.3, top_drive_angle_deg: 90}, {at: 0.4, amplitude_right_deg: 180}, {at: 0.5, top_drive_angle_deg: 45, "
-                  "top_drive_speed_rpm: 5}, {at: 0.6, top_drive_torque: 300}, {at: 0.7, top_drive_speed_rpm: 10}, {at: 0.8, top_drive_mode: angle}]"));
+  Show show(
+      quick("[{at: 0, top_drive_mode: z_torque, top_drive_speed_rpm: 60}, {at: 0.1, top_drive_speed_rpm: 30}, {at: 0.2, "
+            "top_drive_mode: soft_torque, "
+            "top_drive_torque_limit: 8000}, {at: 0.3, top_drive_angle_deg: 90}, {at: 0.4, amplitude_right_deg: 180}, {at: 0.5, "
+            "top_drive_angle_deg: 45, "
+            "top_drive_speed_rpm: 5}, {at: 0.6, top_drive_torque: 300}, {at: 0.7, top_drive_speed_rpm: 10}, {at: 0.8, "
+            "top_drive_mode: angle}]"));
   EXPECT_EQ(show.play(0.05).top_drive.mode, TopDriveMode::z_torque);
   EXPECT_EQ(show.play(0.15).top_drive.mode, TopDriveMode::z_torque) << "a speed leaves it";
   EXPECT_DOUBLE_EQ(show.play(0.16).top_drive.speed, 30.0 * rpm);
@@ -244,7 +256,8 @@ TEST(ProgramPlayer, LinesNameTheModeOfTheTopDrive)
 // A program that comes late is as far as one that came in time.
 TEST(ProgramRamp, OverdueItIsAsFarAsItWouldBe)
 {
-  const Scene scene = quick("[{at: 0, flow: 0.02, ramp: 0.2}, {at: 0.05, top_drive_speed_rpm: 60, ramp: 0.05}, {at: 0.1, flow: 0.03, ramp: 0.2}]");
+  const Scene scene = quick(
+      "[{at: 0, flow: 0.02, ramp: 0.2}, {at: 0.05, top_drive_speed_rpm: 60, ramp: 0.05}, {at: 0.1, flow: 0.03, ramp: 0.2}]");
   Show in_time(scene), late(scene);
   played(in_time, 15);
   for (int k = 0; k < 15; ++k) ASSERT_EQ(late.simulator.frame(kFrame), FrameStatus::running);

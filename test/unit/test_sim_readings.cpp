@@ -1,4 +1,6 @@
-// What the instruments show: equal to the truth where they are ideal, and off by what the scene says of each gauge where they are not.
+// SPDX-License-Identifier: BSD-3-Clause
+// What the instruments show: equal to the truth where they are ideal, and off by what the scene says of each gauge where they are
+// not.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -57,10 +59,12 @@ struct GaugeField
 const GaugeField gauges[] = {
     {"hook_load", [](InstrumentsSpec& s) -> SensorSpec& { return s.hook_load; }, &RigSignals::hook_load, 1000.0},
     {"torque", [](InstrumentsSpec& s) -> SensorSpec& { return s.torque; }, &RigSignals::torque, 50.0},
-    {"stand_pipe_pressure", [](InstrumentsSpec& s) -> SensorSpec& { return s.stand_pipe_pressure; }, &RigSignals::stand_pipe_pressure, 1e5},
+    {"stand_pipe_pressure", [](InstrumentsSpec& s) -> SensorSpec& { return s.stand_pipe_pressure; },
+     &RigSignals::stand_pipe_pressure, 1e5},
     {"flow", [](InstrumentsSpec& s) -> SensorSpec& { return s.flow; }, &RigSignals::flow, 1e-3},
     {"block_height", [](InstrumentsSpec& s) -> SensorSpec& { return s.block_height; }, &RigSignals::block_height, 0.01},
-    {"encoder_bit_depth", [](InstrumentsSpec& s) -> SensorSpec& { return s.encoder_bit_depth; }, &RigSignals::encoder_bit_depth, 0.5},
+    {"encoder_bit_depth", [](InstrumentsSpec& s) -> SensorSpec& { return s.encoder_bit_depth; }, &RigSignals::encoder_bit_depth,
+     0.5},
 };
 }  // namespace
 
@@ -134,7 +138,8 @@ TEST(Readings, eachGaugeHasItsOwnBias)
             for (const GaugeField& gauge : gauges)
             {
               const double error = &gauge == &off ? off.size : 0.0;
-              ASSERT_NEAR(rig.readings().*gauge.field, ideal.readings().*gauge.field + error, 1e-9 * off.size) << off.name << " on " << gauge.name;
+              ASSERT_NEAR(rig.readings().*gauge.field, ideal.readings().*gauge.field + error, 1e-9 * off.size)
+                  << off.name << " on " << gauge.name;
               ASSERT_EQ(rig.truth().*gauge.field, ideal.truth().*gauge.field) << off.name << ": a gauge moves the rig";
             }
           });
@@ -171,7 +176,8 @@ TEST(Readings, eachGaugeHasItsOwnNoise)
       {
         double product = 0.0;
         for (std::size_t k = 1; k + 1 < errors[a].size(); ++k) product += errors[a][k] * errors[b][k + shift];
-        EXPECT_NEAR(product / errors[a].size(), 0.0, 4.0 / std::sqrt(errors[a].size())) << gauges[a].name << ", " << gauges[b].name;
+        EXPECT_NEAR(product / errors[a].size(), 0.0, 4.0 / std::sqrt(errors[a].size()))
+            << gauges[a].name << ", " << gauges[b].name;
       }
 }
 

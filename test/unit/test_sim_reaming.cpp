@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A bit that widens a narrower hole: weight and torque of the ring, the way of the pilot, and rock again beyond it.
 #include <gtest/gtest.h>
 
@@ -83,7 +84,8 @@ TEST(Ring, makesItsShareOfTheTorqueAtTheSameDepthOfCut)
   for (const double energy : {0.0, 1.0 / (pi * diameter * rock.drillability * cutter_inclination)})
   {
     drag.cutting_energy = energy;
-    const TorqueLimit full = bit_torque_limit(drag, diameter, force, speed, rock), part = bit_torque_limit(drag, diameter, 0.5 * force, speed, ring);
+    const TorqueLimit full = bit_torque_limit(drag, diameter, force, speed, rock),
+                      part = bit_torque_limit(drag, diameter, 0.5 * force, speed, ring);
     EXPECT_NEAR(part.value, 0.75 * full.value, 1e-9 * full.value) << energy;
     EXPECT_NEAR(part.force_slope, 1.5 * full.force_slope, 1e-9 * full.force_slope) << energy;
   }

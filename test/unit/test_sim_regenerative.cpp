@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Drilling with the regenerative law: on the average it is the mean law, and what it adds is the shaking about that.
 #include <gtest/gtest.h>
 
@@ -62,8 +63,8 @@ TEST(Regenerative, aSteadyCutHasTheMeanLawsWeightTorqueAndRate)
   EXPECT_NEAR(rig.truth().hole_depth - depth, 10.0 * feed, 1e-3 * 10.0 * feed);
 }
 
-// Beyond its onset the bit bounces: weight comes and goes, at times there is none, and still the winch sets the rate. The balance holds
-// in the midst of it; what the bit does on the rock is the rock's.
+// Beyond its onset the bit bounces: weight comes and goes, at times there is none, and still the winch sets the rate. The balance
+// holds in the midst of it; what the bit does on the rock is the rock's.
 TEST(Regenerative, shakesBeyondItsOnset)
 {
   Simulator rig(cutting(8));

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What the run of a program is sure to refuse is found beforehand, in the run's own words; what it may take is left to it.
 #include <gtest/gtest.h>
 
@@ -51,9 +52,12 @@ TEST(Rehearsal, findsWhatTheRunRefuses)
   const Case cases[] = {
       {"[{at: 0.1, stuck_at: 5000}]", "stuck_at is below the bit, allowed: where there is pipe in the hole"},
       {"[{at: 0, stuck_at: 99.9}]", "stuck_at is below the bit, allowed: where there is pipe in the hole"},
-      {"[{at: 0.1, fault: stuck_pipe, fault_depth: 5000}]", "fault_depth is below the bit, allowed: where there is pipe in the hole"},
-      {"[{at: 0.1, fault: pack_off, fault_depth: 1500, fault_magnitude: 1e4}]", "fault_depth is below the bit, allowed: where there is pipe in the hole"},
-      {"[{at: 0.1, fault: friction_change, fault_depth: 3000, fault_magnitude: 2}]", "depth: allowed is 0 (all of the hole) to the hole's bottom"},
+      {"[{at: 0.1, fault: stuck_pipe, fault_depth: 5000}]",
+       "fault_depth is below the bit, allowed: where there is pipe in the hole"},
+      {"[{at: 0.1, fault: pack_off, fault_depth: 1500, fault_magnitude: 1e4}]",
+       "fault_depth is below the bit, allowed: where there is pipe in the hole"},
+      {"[{at: 0.1, fault: friction_change, fault_depth: 3000, fault_magnitude: 2}]",
+       "depth: allowed is 0 (all of the hole) to the hole's bottom"},
       {"[{at: 0.1, fault: motor_stall}]", "fault: there is no mud motor in the string"},
       {"[{at: 0.1, slips: false}]", "slips: the slips are not set"},
       {"[{at: 0.1, slips: true}, {at: 0.2, slips: true}]", "slips: the slips are already set"},
@@ -61,8 +65,10 @@ TEST(Rehearsal, findsWhatTheRunRefuses)
       {"[{at: 0.1, top_drive_speed_rpm: 60, slips: true}]", "slips: the top drive turns, allowed: at rest"},
       {"[{at: 0.1, connection: 3}]", "connection: the slips are not set"},
       {"[{at: 0, flow: 0.02}, {at: 0.1, slips: true}, {at: 0.2, connection: 3}]", "connection: the pump runs, allowed: off"},
-      {"[{at: 0.1, slips: true}, {at: 0.2, block_velocity: -0.01, connection: 3}]", "connection: the block moves, allowed: at rest"},
-      {"[{at: 0.1, slips: true}, {at: 0.2, top_drive_speed_rpm: 60}]", "the string is in the slips: the top drive is locked, allowed: at rest"}};
+      {"[{at: 0.1, slips: true}, {at: 0.2, block_velocity: -0.01, connection: 3}]",
+       "connection: the block moves, allowed: at rest"},
+      {"[{at: 0.1, slips: true}, {at: 0.2, top_drive_speed_rpm: 60}]",
+       "the string is in the slips: the top drive is locked, allowed: at rest"}};
   for (const Case& c : cases)
   {
     const Scene scene = quick(c.program);
@@ -75,11 +81,16 @@ TEST(Rehearsal, findsWhatTheRunRefuses)
 
 TEST(Rehearsal, knowsHowLongAConnectionTakes)
 {
-  const std::string connected = "{at: 0.1, slips: true}, {at: 1, block_velocity: -0.02}, {at: 2, brake: true}, {at: 5, connection: 3}";
-  EXPECT_NE(refused(quick("[" + connected + ", {at: 20, block_velocity: 0.1}]")).find("the connection is broken out: the crew moves the block"), std::string::npos);
-  EXPECT_NE(refused(quick("[" + connected + ", {at: 20, flow: 0.01}]")).find("the connection is broken out: the pump is locked"), std::string::npos);
+  const std::string connected =
+      "{at: 0.1, slips: true}, {at: 1, block_velocity: -0.02}, {at: 2, brake: true}, {at: 5, connection: 3}";
+  EXPECT_NE(refused(quick("[" + connected + ", {at: 20, block_velocity: 0.1}]"))
+                .find("the connection is broken out: the crew moves the block"),
+            std::string::npos);
+  EXPECT_NE(refused(quick("[" + connected + ", {at: 20, flow: 0.01}]")).find("the connection is broken out: the pump is locked"),
+            std::string::npos);
   EXPECT_NE(refused(quick("[" + connected + ", {at: 20, slips: false}]")).find("it must be made up first"), std::string::npos);
-  EXPECT_NE(refused(quick("[" + connected + ", {at: 20, connection: 3}]")).find("a connection is already under way"), std::string::npos);
+  EXPECT_NE(refused(quick("[" + connected + ", {at: 20, connection: 3}]")).find("a connection is already under way"),
+            std::string::npos);
   EXPECT_EQ(refused(quick("[" + connected + ", {at: 300, block_velocity: 0.1}, {at: 302, slips: false}]")), "");
 }
 
@@ -92,7 +103,10 @@ TEST(Rehearsal, goesByTheDeepestThatTheBitCanBe)
   EXPECT_EQ(refused(quick("[{at: 0, block_velocity: -0.2}, {at: 60, brake: true, " + stuck(bit + 10.0))), "");
   EXPECT_NE(refused(quick("[{at: 0, block_velocity: -0.2}, {at: 60, brake: true, " + stuck(bit + 30.0))), "");
   EXPECT_NE(refused(quick("[{at: 0, block_velocity: 0.2}, {at: 60, brake: true, " + stuck(bit))), "") << "pulled up";
-  EXPECT_EQ(refused(quick("[{at: 0, stuck_at: 50}, {at: 1, block_velocity: 0.02}, {at: 200, brake: true, fault: pack_off, fault_magnitude: 1e4, fault_depth: " + std::to_string(bit) + "}]")), "")
+  EXPECT_EQ(refused(quick("[{at: 0, stuck_at: 50}, {at: 1, block_velocity: 0.02}, {at: 200, brake: true, fault: pack_off, "
+                          "fault_magnitude: 1e4, fault_depth: " +
+                          std::to_string(bit) + "}]")),
+            "")
       << "a stuck bit may stay behind";
   Scene drilled = quick("[{at: 1000, " + stuck(bit + 100.0));
   EXPECT_NE(refused(drilled), "");

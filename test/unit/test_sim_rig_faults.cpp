@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Faults of winch, top drive, pump and motor: each shows as its law says, and is gone when it has ended.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A run ends at its duration or its depth, whichever comes first, or where a frame fails; every frame is told once.
 #include <gtest/gtest.h>
 

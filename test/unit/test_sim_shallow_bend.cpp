@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Stiff collars run through the rotary table into a hole that bends away under it.
 #include <gtest/gtest.h>
 
@@ -16,7 +17,7 @@ using namespace drill_rig_sim;
 
 namespace
 {
-constexpr double frame = 0.01;  // [s]
+constexpr double frame = 0.01;                                   // [s]
 constexpr double hole = 0.3112, outer = 0.2032, inner = 0.0714;  // 12 1/4 in; 8 in collars
 constexpr double bend_radius = 30.0 / (14.0 * degree);           // 14 deg/30 m, about the sharpest that a tie-in may be
 constexpr double inclined = 30.0 * degree;
@@ -26,7 +27,8 @@ Scene shallow_bend(double bit_depth, double block_height)
 {
   const double end = bend_radius * inclined;
   std::vector<SurveyStation> survey{{end, inclined, 0.0}, {end + 200.0, inclined, 0.0}};
-  const std::string wrong = tie_survey_in({bend_radius * (1.0 - std::cos(inclined)), 0.0, bend_radius * std::sin(inclined)}, survey);
+  const std::string wrong =
+      tie_survey_in({bend_radius * (1.0 - std::cos(inclined)), 0.0, bend_radius * std::sin(inclined)}, survey);
   EXPECT_EQ(wrong, "");
   Scene scene = scene_in(survey, end + 200.0, bit_depth, 0.25);
   scene.well.sections = {{end + 200.0, hole, 0.25}};
@@ -53,7 +55,8 @@ Above above_table(const StringProfile& profile)
   {
     const Eigen::Vector3d& p = profile.position[i];
     if (p.z() <= 0.0) continue;
-    const double aside = std::hypot(p.x(), p.y()), inside = std::min(0.5 * hole + mast_opening * p.z(), mast_radius) - profile.radius[i];
+    const double aside = std::hypot(p.x(), p.y()),
+                 inside = std::min(0.5 * hole + mast_opening * p.z(), mast_radius) - profile.radius[i];
     out.farthest = std::max(out.farthest, aside);
     out.share = std::max(out.share, aside / inside);
   }
@@ -61,9 +64,9 @@ Above above_table(const StringProfile& profile)
 }
 }  // namespace
 
-// Bent to the hole's radius R the collars bear EI/R. Towards the bit, on the hole's axis, that dies away in a straight line over the length l in
-// which they come off the wall, c from the axis: c = l^2/(6 R). The bit carries EI/(R l), and towards the outside of the bend; less the weight's
-// share there, which pushes to the same side, w sin(inclination) l/2.
+// Bent to the hole's radius R the collars bear EI/R. Towards the bit, on the hole's axis, that dies away in a straight line over
+// the length l in which they come off the wall, c from the axis: c = l^2/(6 R). The bit carries EI/(R l), and towards the outside
+// of the bend; less the weight's share there, which pushes to the same side, w sin(inclination) l/2.
 TEST(ShallowBend, bitCarriesWhatStraightensTheCollars)
 {
   const StaticReport report = static_report(shallow_bend(55.0, 15.0), no_sliding);
@@ -78,8 +81,8 @@ TEST(ShallowBend, bitCarriesWhatStraightensTheCollars)
   EXPECT_NEAR(*most, stiffness / bend_radius, 0.25 * stiffness / bend_radius);
 }
 
-// Stand by stand, as far as the block comes down each time: the collars at the table, in it, under it; then out again. All is bent and pressed,
-// and stays within the hole and the mast.
+// Stand by stand, as far as the block comes down each time: the collars at the table, in it, under it; then out again. All is
+// bent and pressed, and stays within the hole and the mast.
 TEST(ShallowBend, collarsRunThroughTheTable)
 {
   for (const double begin : {8.0, 36.0})

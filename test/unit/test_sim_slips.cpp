@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The slips bear the string, let it go upwards, hold it in spin; weight goes from the hook to them and back.
 #include <gtest/gtest.h>
 
@@ -21,7 +22,8 @@ double load_on_slips(const Simulator& rig)
 }
 }  // namespace
 
-// Without friction nothing but hook and slips bears the string: what one loses the other takes. The bit sinks by what the slips give, F/k.
+// Without friction nothing but hook and slips bears the string: what one loses the other takes. The bit sinks by what the slips
+// give, F/k.
 TEST(Slips, takeWhatTheHookLoses)
 {
   for (const Level level : levels)
@@ -81,7 +83,8 @@ TEST(Slips, holdTheStringInSpin)
   EXPECT_EQ(rig.command(PumpSetpoint{0.01}).outcome, CommandResult::Outcome::accepted) << "the pump may run";
 }
 
-// Slack off and pick up: what springs, line and string hold is what winch and gravity have given, but for what mud and steel took.
+// Slack off and pick up: what springs, line and string hold is what winch and gravity have given, but for what mud and steel
+// took.
 TEST(Slips, closeTheEnergyBalance)
 {
   for (const Level level : {Level::beam3d, Level::axial_torsional})

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Snapshots: saving and restoring in the middle of everything changes no bit of what follows.
 #include <gtest/gtest.h>
 
@@ -140,7 +141,8 @@ TEST(Snapshot, acrossAWindowOfAHybridStringIsBitIdentical)
   expect_identical(run_window(other), first);
 }
 
-// Out of one layer into the next: the hole drilled in each has its friction, and a hole that is taken back and drilled anew has it again.
+// Out of one layer into the next: the hole drilled in each has its friction, and a hole that is taken back and drilled anew has
+// it again.
 TEST(Snapshot, keepsTheFrictionThatTheRockGaveTheHole)
 {
   Scene scene = drilling_scene(0.005);
@@ -236,8 +238,8 @@ TEST(Snapshot, keepTimeMovesTheClockAlone)
     ASSERT_EQ(rig.truth().hook_load, truth[k].hook_load) << k;
     ASSERT_EQ(rig.truth().commands_timed_out, truth[k].commands_timed_out) << k;
     const Readings& shown = rig.readings();
-    for (const auto field : {&Readings::hook_load, &Readings::dead_line_hook_load, &Readings::torque, &Readings::stand_pipe_pressure,
-                             &Readings::flow, &Readings::block_height, &Readings::rop})
+    for (const auto field : {&Readings::hook_load, &Readings::dead_line_hook_load, &Readings::torque,
+                             &Readings::stand_pipe_pressure, &Readings::flow, &Readings::block_height, &Readings::rop})
       ASSERT_NEAR(shown.*field, readings[k].*field, 1e-9 * std::abs(readings[k].*field) + 1e-12) << k;
     ASSERT_EQ(shown.mwd.sequence, readings[k].mwd.sequence) << k;
     ASSERT_EQ(shown.toolface.sequence, readings[k].toolface.sequence) << k;

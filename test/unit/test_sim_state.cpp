@@ -1,4 +1,6 @@
-// The one list of a state's fields: every number in it survives a snapshot, in memory and as bytes, and nothing else is in a state.
+// SPDX-License-Identifier: BSD-3-Clause
+// The one list of a state's fields: every number in it survives a snapshot, in memory and as bytes, and nothing else is in a
+// state.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
@@ -259,7 +261,9 @@ TEST(SnapshotFile, anotherStartIsNamed)
     return "";
   };
   EXPECT_EQ("", refused(5, {77, 812.5}));
-  EXPECT_NE(std::string::npos, refused(6, {77, 600.0}).find("start.bit_depth 812.5 m; allowed is that of this rig, 600 m: reset_well with that bit_depth first"));
+  EXPECT_NE(std::string::npos,
+            refused(6, {77, 600.0})
+                .find("start.bit_depth 812.5 m; allowed is that of this rig, 600 m: reset_well with that bit_depth first"));
   EXPECT_NE(std::string::npos, refused(6, {78, 600.0}).find("another scene"));
   EXPECT_NE(std::string::npos, refused(6, {}).find("another scene"));
 }
@@ -303,7 +307,7 @@ TEST(SnapshotFile, anythingElseIsRefused)
   ASSERT_EQ(good.size(), 64u + value.size());
   const std::pair<std::size_t, const char*> damage[] = {
       {0, "not a snapshot"}, {8, "another format"}, {12, "another scene"}, {20, "state differs"}, {27, "state differs"},
-      {28, "damaged"},    {36, "damaged"},       {45, "damaged"},       {64, "damaged"},       {good.size() - 1, "damaged"}};
+      {28, "damaged"},       {36, "damaged"},       {45, "damaged"},       {64, "damaged"},       {good.size() - 1, "damaged"}};
   for (const auto& [place, words] : damage)
   {
     std::string bad = good;

@@ -1,4 +1,6 @@
-// What is reported of a string at rest or in slow motion: weights by hand, the bit's tilt and side force from its place in the hole.
+// SPDX-License-Identifier: BSD-3-Clause
+// What is reported of a string at rest or in slow motion: weights by hand, the bit's tilt and side force from its place in the
+// hole.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -75,7 +77,7 @@ TEST(StaticReport, holdsTheWeightOnBitInEachMotion)
     EXPECT_NEAR(report.outcome.forces.wob, weight_on_bit, tolerance * weight_on_bit);
     const double drag = report.hook_load - still.hook_load;
     EXPECT_EQ(drag > 100.0, motion.axial_speed < 0.0) << drag;
-    EXPECT_EQ(drag < -100.0, motion.axial_speed > 0.0) << drag;
+    EXPECT_EQ(drag<-100.0, motion.axial_speed> 0.0) << drag;
     EXPECT_EQ(report.torque > 1.0, motion.spin_speed > 0.0) << report.torque;
     EXPECT_EQ(report.torque, report.outcome.top_torque);
     EXPECT_EQ(report.hook_load_string, report.outcome.top_force);
@@ -84,10 +86,13 @@ TEST(StaticReport, holdsTheWeightOnBitInEachMotion)
 
 namespace
 {
-/// Pipe whose tool joints are no thicker than its body, as the soft string's, and three collars in a hole that is vertical to `kick_off`, built at 9 deg/30 m and horizontal from there on.
+/// Pipe whose tool joints are no thicker than its body, as the soft string's, and three collars in a hole that is vertical to
+/// `kick_off`, built at 9 deg/30 m and horizontal from there on.
 StaticReport slacked_off(double kick_off, double depth, double friction)
 {
-  Scene scene = scene_in({{0.0, 0.0, 0.0}, {kick_off, 0.0, 0.0}, {kick_off + 300.0, 90.0 * degree, 0.0}, {3500.0, 90.0 * degree, 0.0}}, depth + 10.0, depth, friction);
+  Scene scene =
+      scene_in({{0.0, 0.0, 0.0}, {kick_off, 0.0, 0.0}, {kick_off + 300.0, 90.0 * degree, 0.0}, {3500.0, 90.0 * degree, 0.0}},
+               depth + 10.0, depth, friction);
   scene.string.back().pipe->tool_joint_diameter = pipe_outer;
   scene.string.insert(scene.string.begin() + 1, collar_part(3, 9.4));
   scene.mud.density = 1200.0;
@@ -95,12 +100,17 @@ StaticReport slacked_off(double kick_off, double depth, double friction)
 }
 }  // namespace
 
-// The soft string's hook loads, in pieces of 0.5 m, with what a helix presses against the wall, r F^2/(4 E I), where pipe is buckled. At 0.22 the whole of the
-// vertical hole is, and the friction is raised by and by: in one go the search for a helix ends in another one, or never.
+// The soft string's hook loads, in pieces of 0.5 m, with what a helix presses against the wall, r F^2/(4 E I), where pipe is
+// buckled. At 0.22 the whole of the vertical hole is, and the friction is raised by and by: in one go the search for a helix ends
+// in another one, or never.
 TEST(StaticReport, slackOffOfBuckledPipe)
 {
-  for (const auto& [friction, soft_string, buckled] : {std::tuple{0.05, 149.0e3, 0.0}, {0.08, 122.0e3, 24.0}, {0.10, 102.7e3, 95.0}, {0.12, 82.2e3, 176.0}, {0.15, 48.94e3, 305.0},
-                                                      {0.22, -54.42e3, 499.0}})
+  for (const auto& [friction, soft_string, buckled] : {std::tuple{0.05, 149.0e3, 0.0},
+                                                       {0.08, 122.0e3, 24.0},
+                                                       {0.10, 102.7e3, 95.0},
+                                                       {0.12, 82.2e3, 176.0},
+                                                       {0.15, 48.94e3, 305.0},
+                                                       {0.22, -54.42e3, 499.0}})
   {
     const StaticReport report = slacked_off(500.0, 3390.0, friction);
     EXPECT_NEAR(report.hook_load_string, soft_string, 0.012 * std::abs(soft_string)) << friction;
@@ -110,7 +120,8 @@ TEST(StaticReport, slackOffOfBuckledPipe)
   }
 }
 
-// Near lock-up the search for a helix that rests ends within its work, by the mesh that came farthest: with nearly all of the friction.
+// Near lock-up the search for a helix that rests ends within its work, by the mesh that came farthest: with nearly all of the
+// friction.
 TEST(StaticReport, refusesWhatDoesNotRestWithTheLargestShareFound)
 {
   try
@@ -129,7 +140,9 @@ TEST(StaticReport, refusesWhatDoesNotRestWithTheLargestShareFound)
 // Other pipe in another hole, by the same soft string: 71.34 kN with 463 m of helix.
 TEST(StaticReport, slackOffInAHoleOf85Deg)
 {
-  Scene scene = scene_in({{0.0, 0.0, 0.0}, {700.0, 0.0, 0.0}, {1100.0, 85.0 * degree, 30.0 * degree}, {4200.0, 85.0 * degree, 30.0 * degree}}, 4000.0, 3990.0, 0.25);
+  Scene scene = scene_in(
+      {{0.0, 0.0, 0.0}, {700.0, 0.0, 0.0}, {1100.0, 85.0 * degree, 30.0 * degree}, {4200.0, 85.0 * degree, 30.0 * degree}},
+      4000.0, 3990.0, 0.25);
   PartSpec heavy = pipe_part(12, 9.5, 73.0, pipe_outer);
   heavy.name = "hwdp";
   heavy.inner_diameter = 0.0762;

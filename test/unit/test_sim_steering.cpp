@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A rotary steerable tool: where its pads push, how the hole turns, and who may command it.
 #include <gtest/gtest.h>
 
@@ -67,7 +68,8 @@ TEST(Steering, pushesToItsToolface)
     play(rig, 5.0);
     StringProfile profile;
     rig.profile(profile);
-    const auto pads = std::min_element(profile.from_bit.begin(), profile.from_bit.end(), [](double a, double b) { return std::abs(a - 0.9) < std::abs(b - 0.9); });
+    const auto pads = std::min_element(profile.from_bit.begin(), profile.from_bit.end(),
+                                       [](double a, double b) { return std::abs(a - 0.9) < std::abs(b - 0.9); });
     const Vector3d place = profile.position[static_cast<std::size_t>(pads - profile.from_bit.begin())];
     EXPECT_NEAR(std::remainder(std::atan2(place.x(), place.y()) - toolface, 2.0 * pi), 0.0, 3.0 * degree);
     EXPECT_GT(std::hypot(place.x(), place.y()), 1e-4);
@@ -89,7 +91,8 @@ TEST(Steering, itsForceIsAsItsRatioSays)
     for (const double force : profile.contact_force) sum += force;
     return sum;
   };
-  // on the wall at gauge and blades: what the pads push is what walls and, by the weight of the string that leans, the pipe above carry
+  // on the wall at gauge and blades: what the pads push is what walls and, by the weight of the string that leans, the pipe above
+  // carry
   const double whole = pushed(1.0), half = pushed(0.5);
   EXPECT_NEAR(whole, pad_force, 0.15 * pad_force);
   EXPECT_NEAR(whole - half, 0.5 * pad_force, 0.1 * pad_force);
@@ -97,7 +100,8 @@ TEST(Steering, itsForceIsAsItsRatioSays)
 
 TEST(Steering, theHoleTurnsWhereItPushes)
 {
-  const Eigen::Vector2d neutral = turned(0.0, 0.0), build = turned(0.0, 1.0), drop = turned(pi, 1.0), right = turned(0.5 * pi, 1.0);
+  const Eigen::Vector2d neutral = turned(0.0, 0.0), build = turned(0.0, 1.0), drop = turned(pi, 1.0),
+                        right = turned(0.5 * pi, 1.0);
   EXPECT_GT(build[0] - neutral[0], 0.05 * degree);
   EXPECT_LT(drop[0] - neutral[0], -0.05 * degree);
   EXPECT_GT(right[1] - neutral[1], 0.05 * degree);

@@ -1,4 +1,6 @@
-// Stick-slip of a string of 3 km, by a stiff drive and by those that give way to the string's waves; and how fast these damp its modes.
+// SPDX-License-Identifier: BSD-3-Clause
+// Stick-slip of a string of 3 km, by a stiff drive and by those that give way to the string's waves; and how fast these damp its
+// modes.
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
@@ -115,7 +117,8 @@ struct PlainPipe
     return scene;
   }
 
-  /// What drive and string carry at the same speed at the top, together: zero at a mode. A string that is free at the bit: zeta tanh(s L/c).
+  /// What drive and string carry at the same speed at the top, together: zero at a mode. A string that is free at the bit: zeta
+  /// tanh(s L/c).
   Complex balance(Complex s) const
   {
     const DriveImpedance& set = drive.z_torque;
@@ -180,7 +183,8 @@ TEST(ZTorque, dampsTwoModes)
     for (const int n : {1, 2})
     {
       const Complex mode = pipe.mode(n);
-      const Complex nearest = *std::min_element(found.begin(), found.end(), [&](Complex a, Complex b) { return std::abs(a - mode) < std::abs(b - mode); });
+      const Complex nearest = *std::min_element(found.begin(), found.end(),
+                                                [&](Complex a, Complex b) { return std::abs(a - mode) < std::abs(b - mode); });
       EXPECT_LT(mode.real(), -0.2) << n;
       EXPECT_NEAR(nearest.real(), mode.real(), 0.03 * std::abs(mode.real())) << n;
       EXPECT_NEAR(nearest.imag(), mode.imag(), 0.01 * mode.imag()) << n;

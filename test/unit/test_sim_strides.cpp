@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Steps longer than frames: what the frames between show, commands at their own frame, snapshots on the way, energy.
 #include <gtest/gtest.h>
 
@@ -118,7 +119,9 @@ TEST(Strides, onTheWayNodesTurnEvenly)
       {
         interpolate(rig.state, end, share, out);
         EXPECT_NEAR(out.nodes[3].orientation.norm(), 1.0, 1e-12);
-        EXPECT_NEAR(Eigen::AngleAxisd(rig.state.nodes[3].orientation.conjugate() * out.nodes[3].orientation).angle(), share * angle, 1e-11) << angle;
+        EXPECT_NEAR(Eigen::AngleAxisd(rig.state.nodes[3].orientation.conjugate() * out.nodes[3].orientation).angle(),
+                    share * angle, 1e-11)
+            << angle;
       }
     }
 }
@@ -142,11 +145,12 @@ TEST(Strides, commandsActAtTheirOwnFrame)
   std::vector<double> height, load;
   course(with_step(damped, 1e-3), [&](const Truth& m, int) { height.push_back(m.block_height), load.push_back(m.hook_load); });
   double square = 0.0;
-  course(damped, [&](const Truth& m, int k)
-  {
-    ASSERT_NEAR(m.block_height, height[k], 1e-3) << k;
-    square += (m.hook_load - load[k]) * (m.hook_load - load[k]);
-  });
+  course(damped,
+         [&](const Truth& m, int k)
+         {
+           ASSERT_NEAR(m.block_height, height[k], 1e-3) << k;
+           square += (m.hook_load - load[k]) * (m.hook_load - load[k]);
+         });
   const auto [least, most] = std::minmax_element(load.begin(), load.end());
   EXPECT_LT(std::sqrt(square / static_cast<double>(load.size())), variable().numerics.tolerance * (*most - *least));
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What the string's pipe bears: stress, connections, buckling, each by hand.
 #include <gtest/gtest.h>
 
@@ -33,8 +34,8 @@ double middle(const Mesh& mesh, std::size_t e)
 }
 }  // namespace
 
-// 5 in x 4.276 in: A = 3.404e-3 m2, W = 9.358e-5 m3, W_t twice that. 500 kN: 146.9 MPa; 10 kN m of bending: 106.9 MPa; 30 kN m of torque:
-// 160.3 MPa; together sqrt(253.7^2 + 3 * 160.3^2) = 376.1 MPa of 724.
+// 5 in x 4.276 in: A = 3.404e-3 m2, W = 9.358e-5 m3, W_t twice that. 500 kN: 146.9 MPa; 10 kN m of bending: 106.9 MPa; 30 kN m of
+// torque: 160.3 MPa; together sqrt(253.7^2 + 3 * 160.3^2) = 376.1 MPa of 724.
 TEST(StringWatch, stressByHand)
 {
   const RigAtRest rig = build_at_rest(vertical_scene(400.0, 290.0));
@@ -67,7 +68,8 @@ TEST(StringWatch, connectionsByTheirMakeUpTorque)
   EXPECT_EQ(torque.from_bit, middle(rig.model->mesh(), watched));
 }
 
-// E I = 206e9 * 5.942e-6 = 1.2241e6 N m2. Vertical: w in mud of the scene; inclined by 20 deg in a hole of 0.2159 m: the clearance is 44.45 mm.
+// E I = 206e9 * 5.942e-6 = 1.2241e6 N m2. Vertical: w in mud of the scene; inclined by 20 deg in a hole of 0.2159 m: the
+// clearance is 44.45 mm.
 TEST(StringWatch, bucklingOfAVerticalAndOfAnInclinedHole)
 {
   const double stiffness = 206e9 * pi / 64.0 * (std::pow(0.127, 4) - std::pow(0.1086, 4));
@@ -78,7 +80,8 @@ TEST(StringWatch, bucklingOfAVerticalAndOfAnInclinedHole)
     const Mesh& mesh = rig.model->mesh();
     const PartSpec& pipe = scene.string[static_cast<std::size_t>(mesh.elements[watched].part)];
     const double weight = standard_gravity * pipe.linear_mass * (1.0 - scene.mud.density / pipe.density);
-    const double load = inclined ? 2.0 * std::sqrt(stiffness * weight * std::sin(20.0 * degree) / 0.04445) : 1.94 * std::cbrt(stiffness * weight * weight);
+    const double load = inclined ? 2.0 * std::sqrt(stiffness * weight * std::sin(20.0 * degree) / 0.04445)
+                                 : 1.94 * std::cbrt(stiffness * weight * weight);
     RigForces forces = unloaded(*rig.model);
     forces.tension[watched] = -load;
     const LoadShare buckling = StringWatch(*rig.model).look(*rig.model, rig.state, forces).buckling;
@@ -93,16 +96,18 @@ TEST(StringWatch, bucklingOfAVerticalAndOfAnInclinedHole)
   }
 }
 
-// Bends press compressed pipe outwards: down in a build, where the load itself holds the pipe, and up in a drop. At 200 kN, 10 deg/30 m and 30 deg
-// of inclination: w sin I 137 N/m, F k 1164 N/m.
+// Bends press compressed pipe outwards: down in a build, where the load itself holds the pipe, and up in a drop. At 200 kN, 10
+// deg/30 m and 30 deg of inclination: w sin I 137 N/m, F k 1164 N/m.
 TEST(StringWatch, bucklingWhereTheHoleBends)
 {
-  const double stiffness = 206e9 * pi / 64.0 * (std::pow(0.127, 4) - std::pow(0.1086, 4)), rate = 10.0 * degree / 30.0, force = 200e3;
+  const double stiffness = 206e9 * pi / 64.0 * (std::pow(0.127, 4) - std::pow(0.1086, 4)), rate = 10.0 * degree / 30.0,
+               force = 200e3;
   for (const double sign : {1.0, -1.0, 0.0})
   {
     std::vector<SurveyStation> survey;  // 0: at the same rate by azimuth alone
     for (int i = -2; i <= 2; ++i)
-      survey.push_back({60.0 + 30.0 * i, 30.0 * degree + sign * 30.0 * i * rate, sign == 0.0 ? 30.0 * i * rate / std::sin(30.0 * degree) : 0.5});
+      survey.push_back({60.0 + 30.0 * i, 30.0 * degree + sign * 30.0 * i * rate,
+                        sign == 0.0 ? 30.0 * i * rate / std::sin(30.0 * degree) : 0.5});
     Scene scene = scene_in(survey, 120.0, 119.0, 0.0);
     scene.numerics.element_length = 4.75;
     const RigAtRest rig = build_at_rest(scene);
@@ -113,7 +118,8 @@ TEST(StringWatch, bucklingWhereTheHoleBends)
     const PartSpec& pipe = scene.string[1];
     const double weight = standard_gravity * pipe.linear_mass * (1.0 - scene.mud.density / pipe.density) * std::sin(inclination);
     const double pressed = sign == 0.0 ? std::hypot(weight, force * rate) : std::abs(weight + sign * force * rate);
-    EXPECT_NEAR(buckling_share(*rig.model, rig.state, e, -force), force / (2.0 * std::sqrt(stiffness * pressed / 0.04445)), 0.005) << sign;
+    EXPECT_NEAR(buckling_share(*rig.model, rig.state, e, -force), force / (2.0 * std::sqrt(stiffness * pressed / 0.04445)), 0.005)
+        << sign;
   }
 }
 
@@ -147,6 +153,7 @@ TEST(StringWatch, theTruthTellsAndTheReadingsDoNot)
     hook_load = weak.truth().hook_load_string;
   }
   EXPECT_TRUE(told);
-  EXPECT_NEAR(hook_load, 100e6 * 0.25 * pi * (0.127 * 0.127 - 0.1086 * 0.1086), 60e3) << "by the pipe's area, where it is pulled most";
+  EXPECT_NEAR(hook_load, 100e6 * 0.25 * pi * (0.127 * 0.127 - 0.1086 * 0.1086), 60e3)
+      << "by the pipe's area, where it is pulled most";
 }
 }  // namespace test_sim_string_watch

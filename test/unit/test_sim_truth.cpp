@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What the truth says of bit, hole, pressures and limits, worked out by hand from the state that it was taken from.
 #include <gtest/gtest.h>
 
@@ -19,7 +20,7 @@ using Eigen::Vector3d;
 
 namespace
 {
-constexpr double frame = 0.01;        // [s]
+constexpr double frame = 0.01;          // [s]
 constexpr double displacement = 0.024;  // of the motor [m3/rev]
 
 /// A bent motor 20 deg from the vertical, towards 1 rad from north, at a toolface.
@@ -89,8 +90,8 @@ TEST(Truth, ofTheBitIsThatOfItsFace)
   EXPECT_NEAR(rig.truth().bit_azimuth, slant_azimuth, 2.0 * degree);
 }
 
-// Velocity and angular velocity are the rates of position and orientation: differences over steps of half a millisecond, means of both
-// ends.
+// Velocity and angular velocity are the rates of position and orientation: differences over steps of half a millisecond, means of
+// both ends.
 TEST(Truth, ratesOfTheBitAreTheRatesOfItsPose)
 {
   Scene scene = slanted_motor(0.5, 0.0005);
@@ -104,17 +105,19 @@ TEST(Truth, ratesOfTheBitAreTheRatesOfItsPose)
     const Truth before = rig.truth();
     play_for(rig, 0.0005);
     const Truth& t = rig.truth();
-    const Vector3d velocity = (t.bit_position - before.bit_position) / 0.0005, mean = 0.5 * (t.bit_velocity + before.bit_velocity);
+    const Vector3d velocity = (t.bit_position - before.bit_position) / 0.0005,
+                   mean = 0.5 * (t.bit_velocity + before.bit_velocity);
     ASSERT_LT((velocity - mean).norm(), 0.01 * mean.norm() + 1e-5) << k;
     const AngleAxisd turn(t.bit_orientation * before.bit_orientation.conjugate());
-    const Vector3d spin = turn.angle() / 0.0005 * turn.axis(), mean_spin = 0.5 * (t.bit_angular_velocity + before.bit_angular_velocity);
+    const Vector3d spin = turn.angle() / 0.0005 * turn.axis(),
+                   mean_spin = 0.5 * (t.bit_angular_velocity + before.bit_angular_velocity);
     ASSERT_LT((spin - mean_spin).norm(), 0.01 * mean_spin.norm()) << k;
   }
   EXPECT_GT(rig.truth().bit_angular_velocity.norm(), 10.0);
 }
 
-// Whatever way the bend points, the bit is turned from the motor's axis above the bend, clockwise from the high side, from north where the
-// hole is vertical. Some of it is the string's own bending: 0.1 rad.
+// Whatever way the bend points, the bit is turned from the motor's axis above the bend, clockwise from the high side, from north
+// where the hole is vertical. Some of it is the string's own bending: 0.1 rad.
 TEST(Truth, bendPointsWhereTheBitIsTurned)
 {
   for (const double toolface : {0.0, 0.7, 2.5, -1.2})

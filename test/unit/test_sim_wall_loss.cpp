@@ -1,4 +1,6 @@
-// What a bent motor in a tight hole loses of its side forces to the wall that is soft under its body, and that a scene is told so.
+// SPDX-License-Identifier: BSD-3-Clause
+// What a bent motor in a tight hole loses of its side forces to the wall that is soft under its body, and that a scene is told
+// so.
 #include <gtest/gtest.h>
 
 #include "drill_rig_sim/sim/profile.h"
@@ -43,6 +45,7 @@ TEST(WallLoss, isThatOfTheSameSceneOnAStiffWall)
 TEST(WallLoss, isNoneWhereTheStringFits)
 {
   EXPECT_FALSE(wall_loss(build_at_rest(drilling_scene())));
-  EXPECT_FALSE(wall_loss(build_at_rest(slanted_scene(150.0, 0.3)))) << "pipe on the low side carries its weight, whatever the wall";
+  EXPECT_FALSE(wall_loss(build_at_rest(slanted_scene(150.0, 0.3))))
+      << "pipe on the low side carries its weight, whatever the wall";
 }
 }  // namespace test_sim_wall_loss

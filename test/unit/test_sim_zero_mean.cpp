@@ -1,4 +1,6 @@
-// The zero of the weight on bit: a mean over whole periods of the string's ringing in its lines, and only of what hangs there as it does now.
+// SPDX-License-Identifier: BSD-3-Clause
+// The zero of the weight on bit: a mean over whole periods of the string's ringing in its lines, and only of what hangs there as
+// it does now.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -56,7 +58,8 @@ void take(ZeroMean& zero, const Ring& ring, double begin, double end, RigSignals
 double zero_of(Simulator& rig)
 {
   EXPECT_TRUE(rig.tare());
-  EXPECT_NEAR(rig.readings().hook_load + rig.readings().surface_wob, rig.truth().hook_load + rig.truth().surface_wob, 1e-6) << "the gauge is ideal";
+  EXPECT_NEAR(rig.readings().hook_load + rig.readings().surface_wob, rig.truth().hook_load + rig.truth().surface_wob, 1e-6)
+      << "the gauge is ideal";
   return rig.readings().hook_load + rig.readings().surface_wob;
 }
 }  // namespace
@@ -163,7 +166,8 @@ TEST(ZeroWindow, hasMeanAndDeviationOfTheLastSeconds)
 {
   ZeroWindow window;
   const Ring before{1.0, 9e5, 0.0}, ring{1.0};
-  for (double time = 0.0; time < 100.0; time += frame) window.take((time < 80.0 ? before : ring).at(time), 1e7 + 1e5 * time, time);
+  for (double time = 0.0; time < 100.0; time += frame)
+    window.take((time < 80.0 ? before : ring).at(time), 1e7 + 1e5 * time, time);
   EXPECT_NEAR(ZeroWindow::longest, window.held(), 0.3);
   const Zero zero = window.over(10.0);
   EXPECT_NEAR(10.0, zero.duration, 0.25 + 1e-9);
@@ -175,7 +179,8 @@ TEST(ZeroWindow, hasMeanAndDeviationOfTheLastSeconds)
   EXPECT_NEAR(0.5 * (ring.mean + before.mean), longer.hook_load, 3e3) << "half of it is from before";
 }
 
-// Readings are weighted by their time: frames of another length in between change nothing. Digits are not lost beside a large mean.
+// Readings are weighted by their time: frames of another length in between change nothing. Digits are not lost beside a large
+// mean.
 TEST(ZeroWindow, goesByTimeAndNotByReadings)
 {
   ZeroWindow window;

@@ -1,4 +1,6 @@
-// What a method makes of one oscillation in one step, against its exact amplification: a bit on the spring of its pipe, x'' = -w^2 x.
+// SPDX-License-Identifier: BSD-3-Clause
+// What a method makes of one oscillation in one step, against its exact amplification: a bit on the spring of its pipe, x'' =
+// -w^2 x.
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
@@ -36,7 +38,8 @@ struct Oscillation
     Stepper stepper(rig.model, method);
     stepper.limits().tolerance = 1e-15;
     stepper.limits().max_increment = 10.0;
-    const auto note = [&] { u.emplace_back(rig.state.nodes[0].position.z() - rest, -rig.state.nodes[0].rate.velocity.z() / frequency); };
+    const auto note = [&]
+    { u.emplace_back(rig.state.nodes[0].position.z() - rest, -rig.state.nodes[0].rate.velocity.z() / frequency); };
     note();
     for (int k = 0; k < steps; ++k)
     {
@@ -74,7 +77,8 @@ TEST(Amplification, trbdf2IsTheProductOfItsStages)
   {
     const Complex z(0.0, turn);
     const Complex first = (1.0 + 0.5 * g * z) / (1.0 - 0.5 * g * z);
-    const Complex second = (first / (g * (2.0 - g)) - (1.0 - g) * (1.0 - g) / (g * (2.0 - g))) / (1.0 - (1.0 - g) / (2.0 - g) * z);
+    const Complex second =
+        (first / (g * (2.0 - g)) - (1.0 - g) * (1.0 - g) / (g * (2.0 - g))) / (1.0 - (1.0 - g) / (2.0 - g) * z);
     expect_factor(IntegratorKind::trbdf2, turn, second);
   }
 }
@@ -86,7 +90,8 @@ TEST(Amplification, bdf2ObeysItsTwoStepFormula)
   {
     const Oscillation o(IntegratorKind::bdf2, turn);
     for (int k = 1; k < steps; ++k)
-      EXPECT_LT(std::abs((1.5 - Complex(0.0, turn)) * o.u[k + 1] - 2.0 * o.u[k] + 0.5 * o.u[k - 1]), 2e-6 * std::max(1.0, turn) * amplitude)
+      EXPECT_LT(std::abs((1.5 - Complex(0.0, turn)) * o.u[k + 1] - 2.0 * o.u[k] + 0.5 * o.u[k - 1]),
+                2e-6 * std::max(1.0, turn) * amplitude)
           << "w h " << turn << ", step " << k;
   }
   // the larger root (2 + sqrt(1 + 2 z))/(3 - 2 z) at z = i
@@ -95,8 +100,8 @@ TEST(Amplification, bdf2ObeysItsTwoStepFormula)
   EXPECT_NEAR(std::abs(o.u[steps] / o.u[steps - 1]), 0.9333, 1e-4) << "by hand";
 }
 
-// Chung and Hulbert's amplification matrix of (x, h v, h^2 a) with r = 1/2: am = 0, af = 1/3, g = 5/6, b = 4/9. Every motion obeys its
-// characteristic polynomial; where w h is large all three roots are -r.
+// Chung and Hulbert's amplification matrix of (x, h v, h^2 a) with r = 1/2: am = 0, af = 1/3, g = 5/6, b = 4/9. Every motion
+// obeys its characteristic polynomial; where w h is large all three roots are -r.
 TEST(Amplification, generalisedAlphaTendsToItsSpectralRadius)
 {
   constexpr double am = 0.0, af = 1.0 / 3.0, g = 5.0 / 6.0, b = 4.0 / 9.0;
@@ -110,10 +115,12 @@ TEST(Amplification, generalisedAlphaTendsToItsSpectralRadius)
     const double trace = a.trace(), minors = 0.5 * (trace * trace - (a * a).trace()), determinant = a.determinant();
     const Oscillation o(IntegratorKind::generalised_alpha, turn);
     for (int k = 0; k + 3 <= steps; ++k)
-      EXPECT_NEAR(o.x(k + 3), trace * o.x(k + 2) - minors * o.x(k + 1) + determinant * o.x(k), 1e-6 * amplitude) << "w h " << turn << ", step " << k;
+      EXPECT_NEAR(o.x(k + 3), trace * o.x(k + 2) - minors * o.x(k + 1) + determinant * o.x(k), 1e-6 * amplitude)
+          << "w h " << turn << ", step " << k;
     if (turn < 1e3) continue;
     for (int k = 0; k + 3 <= steps; ++k)
-      EXPECT_NEAR(o.x(k + 3) + 1.5 * o.x(k + 2) + 0.75 * o.x(k + 1) + 0.125 * o.x(k), 0.0, 1e-4 * amplitude) << "(l + 1/2)^3, step " << k;
+      EXPECT_NEAR(o.x(k + 3) + 1.5 * o.x(k + 2) + 0.75 * o.x(k + 1) + 0.125 * o.x(k), 0.0, 1e-4 * amplitude)
+          << "(l + 1/2)^3, step " << k;
     // a stiff oscillation is gone: at most k^2 r^k of it is left
     EXPECT_LT(std::abs(o.x(steps)), 144.0 * std::pow(0.5, 12) * amplitude);
   }
@@ -127,7 +134,8 @@ TEST(Amplification, centralDifferencesDoNotDamp)
     const Oscillation o(IntegratorKind::central_differences, turn);
     EXPECT_NEAR(o.x(1), (1.0 - 0.5 * turn * turn) * o.x(0), 1e-6 * amplitude) << "the first rates are half a step behind, too";
     for (int k = 1; k < steps; ++k)
-      EXPECT_NEAR(o.x(k + 1) - (2.0 - turn * turn) * o.x(k) + o.x(k - 1), 0.0, 1e-6 * amplitude) << "w h " << turn << ", step " << k;
+      EXPECT_NEAR(o.x(k + 1) - (2.0 - turn * turn) * o.x(k) + o.x(k - 1), 0.0, 1e-6 * amplitude)
+          << "w h " << turn << ", step " << k;
   }
 }
 }  // namespace test_solve_amplification

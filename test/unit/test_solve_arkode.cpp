@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // SUNDIALS ARKODE as a stepper: its order, and that it goes where our own steppers go.
 #include <gtest/gtest.h>
 
@@ -118,7 +119,8 @@ TEST(Arkode, drillsAsOurTrBdf2Does)
 }
 
 // Nothing that ARKODE remembers reaches the next step.
-// Beside those of Newton's method with their tangents, a step takes two evaluations: the rates at its start, and its end's results.
+// Beside those of Newton's method with their tangents, a step takes two evaluations: the rates at its start, and its end's
+// results.
 TEST(Arkode, aStepEvaluatesNothingTwice)
 {
   const RigAtRest start = plucked();
@@ -128,7 +130,8 @@ TEST(Arkode, aStepEvaluatesNothingTwice)
   EXPECT_EQ(work.solves, work.tangents);
   EXPECT_EQ(work.solves, stepper.counters().newton_iterations);
   EXPECT_EQ(work.residuals - work.tangents, 2 * stepper.counters().steps);
-  EXPECT_LT(static_cast<double>(work.solves), 3.0 * static_cast<double>(stepper.counters().steps)) << "smooth: fewer than two a stage";
+  EXPECT_LT(static_cast<double>(work.solves), 3.0 * static_cast<double>(stepper.counters().steps))
+      << "smooth: fewer than two a stage";
 }
 
 TEST(Arkode, goesOnBitByBitFromASnapshot)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Rigid bodies with joints and multipliers, integrated by IDA: tangents, and motions known in closed form.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Order of the steppers on smooth motions: axial and torsional swings of a string that hangs free.
 #include <gtest/gtest.h>
 
@@ -110,7 +111,8 @@ TEST(Convergence, iterationsAreCounted)
   }
 }
 
-// In a smooth motion the tangent at the guess serves for the whole step, and the residual after its increment says that this was the last.
+// In a smooth motion the tangent at the guess serves for the whole step, and the residual after its increment says that this was
+// the last.
 TEST(Convergence, smoothStepsTakeOneTangent)
 {
   const RigAtRest start = plucked();
@@ -140,7 +142,8 @@ TEST(Convergence, newtonLeavesNoMoreThanItsTolerance)
   EXPECT_LT((end(1e-9) - exact).cwiseAbs().maxCoeff(), 1e-9);
 }
 
-// A bit that is hit changes its speed by 2 m/s within a step of 10 ms: that step is worth its halves, those of the swing after it are not.
+// A bit that is hit changes its speed by 2 m/s within a step of 10 ms: that step is worth its halves, those of the swing after it
+// are not.
 TEST(Convergence, blowsAreRefined)
 {
   RigAtRest start = plucked();
@@ -149,7 +152,8 @@ TEST(Convergence, blowsAreRefined)
   EXPECT_EQ(smooth.counters().error_test_failures, 0u);
 
   start.state.nodes[0].rate.velocity.z() = 2.0;
-  Stepper stepper(start.model, find_method(IntegratorKind::bdf2)), fixed(start.model, find_method(IntegratorKind::generalised_alpha));
+  Stepper stepper(start.model, find_method(IntegratorKind::bdf2)),
+      fixed(start.model, find_method(IntegratorKind::generalised_alpha));
   after_span(start, stepper, 0.01);
   EXPECT_GT(stepper.counters().error_test_failures, 0u);
   EXPECT_LT(stepper.counters().error_test_failures, 30u);
@@ -205,8 +209,8 @@ TEST(Convergence, centralDifferencesFailBeyondTheirLimit)
   EXPECT_GT(largest_rate(1.2 * limit), 1e3);
 }
 
-// A bit on a wall and a bottom so stiff that nothing else counts: omega^2 is the slope of k delta^e at a millimetre over its mass; the
-// wall at the middle of the pipe above it gives with a half of the bit's motion, so that it resists with a quarter.
+// A bit on a wall and a bottom so stiff that nothing else counts: omega^2 is the slope of k delta^e at a millimetre over its
+// mass; the wall at the middle of the pipe above it gives with a half of the bit's motion, so that it resists with a quarter.
 TEST(Convergence, theExplicitLimitIsThatOfAPressedContact)
 {
   Scene scene = weightless(lone_bit_scene());
@@ -221,7 +225,8 @@ TEST(Convergence, theExplicitLimitIsThatOfAPressedContact)
                                    bit.contact = scene.contact.law;
                                  });
   const double slope = 1.5 * 4.25e14 * std::sqrt(1e-3);  // [N/m]
-  EXPECT_NEAR(explicit_step_limit(*rig.model, rig.state), 2.0 / std::sqrt(slope / 1000.0), 1e-4 * 2.0 / std::sqrt(slope / 1000.0));
+  EXPECT_NEAR(explicit_step_limit(*rig.model, rig.state), 2.0 / std::sqrt(slope / 1000.0),
+              1e-4 * 2.0 / std::sqrt(slope / 1000.0));
 }
 
 // Rates half a step old: of an oscillator's 2/omega, damping zeta leaves sqrt(1 + zeta^2) - zeta. Here zeta = omega b/2 = 1/2.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The energy balance against cases whose energies are known.
 #include <gtest/gtest.h>
 
@@ -25,7 +26,8 @@ using Eigen::Vector3d;
 
 namespace
 {
-/// Runs a rig from `start` with all set points at rest, `ahead` [s] without a balance and then `span` with one; what the balance says.
+/// Runs a rig from `start` with all set points at rest, `ahead` [s] without a balance and then `span` with one; what the balance
+/// says.
 EnergyAccounts run(const RigAtRest& start, IntegratorKind method, double step, double ahead, double span)
 {
   State state = start.state;
@@ -82,18 +84,23 @@ TEST(Energy, ofABeamHasItsForcesAsGradient)
   {
     const Vector3d e = d * Vector3d::Unit(k);
     const Quaterniond turn = rotation_from_vector(e), back = rotation_from_vector(-e);
-    auto slope = [&](const BeamPose& more, const BeamPose& less) { return (beam_energy(section, more) - beam_energy(section, less)) / (2.0 * d); };
+    auto slope = [&](const BeamPose& more, const BeamPose& less)
+    { return (beam_energy(section, more) - beam_energy(section, less)) / (2.0 * d); };
     EXPECT_NEAR(slope(pose_between(upper, lower + e, a, b), pose_between(upper, lower - e, a, b)), f.force[k], 1e-6 * scale);
-    EXPECT_NEAR(slope(pose_between(upper, lower, turn * a, b), pose_between(upper, lower, back * a, b)), f.moment_upper[k], 1e-6 * scale);
-    EXPECT_NEAR(slope(pose_between(upper, lower, a, turn * b), pose_between(upper, lower, a, back * b)), f.moment_lower[k], 1e-6 * scale);
+    EXPECT_NEAR(slope(pose_between(upper, lower, turn * a, b), pose_between(upper, lower, back * a, b)), f.moment_upper[k],
+                1e-6 * scale);
+    EXPECT_NEAR(slope(pose_between(upper, lower, a, turn * b), pose_between(upper, lower, a, back * b)), f.moment_lower[k],
+                1e-6 * scale);
   }
 }
 
-// Nothing but the method takes energy out of an undamped string: what is missing is the numerical dissipation, found from inertia alone.
+// Nothing but the method takes energy out of an undamped string: what is missing is the numerical dissipation, found from inertia
+// alone.
 TEST(Energy, missingFromFreeVibrationIsNumericalDissipation)
 {
   const RigAtRest start = plucked();
-  for (IntegratorKind method : {IntegratorKind::bdf2, IntegratorKind::implicit_euler, IntegratorKind::trbdf2, IntegratorKind::generalised_alpha})
+  for (IntegratorKind method :
+       {IntegratorKind::bdf2, IntegratorKind::implicit_euler, IntegratorKind::trbdf2, IntegratorKind::generalised_alpha})
   {
     const EnergyAccounts e = run(start, method, 0.001, 0.0, 0.5);
     ASSERT_GT(e.largest_kinetic, 1.0) << find_integrator(method).name;  // [J]
@@ -102,8 +109,8 @@ TEST(Energy, missingFromFreeVibrationIsNumericalDissipation)
   }
 }
 
-// Per period a mode loses some (w h)^3 (BDF2) or w h (implicit Euler). The first step of BDF2 is implicit Euler's: it is left out. Central
-// differences lose nothing but have the rates half a step late, whose energy swings by w h.
+// Per period a mode loses some (w h)^3 (BDF2) or w h (implicit Euler). The first step of BDF2 is implicit Euler's: it is left
+// out. Central differences lose nothing but have the rates half a step late, whose energy swings by w h.
 TEST(Energy, numericalDissipationFallsWithTheStepAsTheMethodsOrderSays)
 {
   const RigAtRest start = plucked();
@@ -121,8 +128,8 @@ TEST(Energy, numericalDissipationFallsWithTheStepAsTheMethodsOrderSays)
   EXPECT_LT(std::abs(share(IntegratorKind::central_differences, 0.0002)), 0.01);
 }
 
-// Pipe lowered at 0.1 m/s down 20 deg of friction: all that gravity gives goes into the winch's brake and the wall, and the wall takes
-// friction times weight across the hole times way: 2 % for the crossing from the frictionless build and the bit.
+// Pipe lowered at 0.1 m/s down 20 deg of friction: all that gravity gives goes into the winch's brake and the wall, and the wall
+// takes friction times weight across the hole times way: 2 % for the crossing from the frictionless build and the bit.
 TEST(Energy, ofASlidingPipeGoesIntoFriction)
 {
   Scene scene = read_scene(in_source("test/scenes/inclined_straight_20deg.yaml"));
@@ -165,8 +172,8 @@ TEST(Energy, ofBrokenRockIsForceTimesSpeed)
   EXPECT_LT(e.closure(), 1e-4);
 }
 
-// A heavy bit on a soft, light string drops on rock: m v dv = -k d^e (1 + c v) dd, so c (v + w) = log((1 + c v)/(1 - c w)) for the speeds
-// v before and w after, whatever k and e.
+// A heavy bit on a soft, light string drops on rock: m v dv = -k d^e (1 + c v) dd, so c (v + w) = log((1 + c v)/(1 - c w)) for
+// the speeds v before and w after, whatever k and e.
 TEST(Energy, ofAnImpactGoesIntoHuntAndCrossleysDamping)
 {
   const double speed = 0.2, damping = 1.0;

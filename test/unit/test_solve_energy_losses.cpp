@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Each account of what takes energy out, against the work of its force worked out by hand: a bit that moves in one way alone.
 #include <gtest/gtest.h>
 
@@ -22,8 +23,8 @@ Scene quiet()
   return weightless(lone_bit_scene());
 }
 
-/// A bit of the `mass`, the mud that goes along sideways and the inertia about its axis. `spring`: the pipe's stiffness in stretch and twist
-/// is kept, and with `bending` [N m2] that of a slender beam; otherwise the bit is free.
+/// A bit of the `mass`, the mud that goes along sideways and the inertia about its axis. `spring`: the pipe's stiffness in
+/// stretch and twist is kept, and with `bending` [N m2] that of a slender beam; otherwise the bit is free.
 RigAtRest heavy_bit(const Scene& scene, bool spring, double bending = 0.0, double about_axis = spin_inertia)
 {
   return lone_bit(scene,
@@ -119,7 +120,8 @@ TEST(Losses, mudTakesTheCubeOfASidewaysSpeed)
   EXPECT_LT(std::abs(run(rig, 1e-3, 0.2).mud), 1e-6);
 }
 
-// A swing at w with the damping ratio z = w t_d/2: what stretch, twist and bending have lost by the time t is what is missing of the closed form.
+// A swing at w with the damping ratio z = w t_d/2: what stretch, twist and bending have lost by the time t is what is missing of
+// the closed form.
 TEST(Losses, structuralDampingTakesWhatTheSwingLoses)
 {
   constexpr double damping_time = 0.004, t = 0.05, speed = 0.02, spin = 0.3, bending = 1e9;
@@ -145,14 +147,16 @@ TEST(Losses, structuralDampingTakesWhatTheSwingLoses)
   const double length = beam.model->mesh().elements[0].section.length;
   beam.state.nodes[0].rate.velocity.x() = speed;
   beam.state.nodes[0].rate.tilt = Vector3d(0.0, -1.5 * speed / length, 0.0);
-  expect_alone(run(beam, 2e-5, t), &EnergyAccounts::structural, lost(mass + mud_mass, 3.0 * bending / (length * length * length), speed));
+  expect_alone(run(beam, 2e-5, t), &EnergyAccounts::structural,
+               lost(mass + mud_mass, 3.0 * bending / (length * length * length), speed));
 }
 
-// A disk on a light shaft that turns at W (Jeffcott's rotor, Genta 4.5): with z = x - i y, seen from above, m z" + c k (z' - i W z) + k z = 0.
-// Above the critical speed the shaft's damping feeds the forward whirl and takes from the backward one.
+// A disk on a light shaft that turns at W (Jeffcott's rotor, Genta 4.5): with z = x - i y, seen from above, m z" + c k (z' - i W
+// z) + k z = 0. Above the critical speed the shaft's damping feeds the forward whirl and takes from the backward one.
 TEST(Losses, dampingOfATurningShaftFeedsForwardWhirl)
 {
-  constexpr double damping_time = 0.001, bending = 1e9, turning = 100.0, speed = 0.001, t = 1.0;  // [s], [N m2], [rad/s], [m/s], [s]
+  constexpr double damping_time = 0.001, bending = 1e9, turning = 100.0, speed = 0.001,
+                   t = 1.0;  // [s], [N m2], [rad/s], [m/s], [s]
   Scene scene = quiet();
   scene.numerics.structural_damping = damping_time;
   RigAtRest rig = heavy_bit(scene, true, bending, 1e-3);
@@ -206,13 +210,15 @@ TEST(Losses, gaugeFrictionTakesTheMotorsWork)
   PartSpec motor = motor_part(0.0);
   motor.length = motor.joint_length = 4.0;
   scene.string.insert(scene.string.begin() + 1, motor);
-  RigAtRest rig = lone_bit(weightless(scene), [](MeshNode& bit, BeamSection&) { bit.mass = bit.spin_inertia = bit.tilt_inertia = 1e18; });
+  RigAtRest rig =
+      lone_bit(weightless(scene), [](MeshNode& bit, BeamSection&) { bit.mass = bit.spin_inertia = bit.tilt_inertia = 1e18; });
   const double normal = scene.contact.law.stiffness * std::pow(pressed, 1.5);
   rig.state.flow = 0.03;
   rig.state.bit.motor_speed = 2.0 * pi * 0.03 / 0.024;  // as without torque on the bit's face
   NodeState& bit = rig.state.nodes[0];
   bit.position.x() = 0.5 * 0.2159 - radius + pressed;
-  bit.bristle.y() = -friction * normal / scene.contact.tangential_stiffness;  // slides already: clockwise, the east side goes south
+  bit.bristle.y() =
+      -friction * normal / scene.contact.tangential_stiffness;  // slides already: clockwise, the east side goes south
   const double work = friction * normal * radius * rig.state.bit.motor_speed * span;
   const EnergyAccounts e = run(rig, 1e-3, span);
   EXPECT_NEAR(e.wall_friction, work, 1e-3 * work);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What the methods themselves make or take of energy, account by account.
 #include <gtest/gtest.h>
 
@@ -72,8 +73,8 @@ TEST(Numerical, ofTheReferenceIsNothingInAnyAccount)
   EXPECT_LT(e.closure(), 1e-6);
 }
 
-// Line paid out of a drum a metre in one step while the block stands: its energy EA (L - L_0)^2 / (2 L_0) falls by the integral of the
-// price EA/2 ((L/L_0)^2 - 1), of which the mean of both ends is too much by a little.
+// Line paid out of a drum a metre in one step while the block stands: its energy EA (L - L_0)^2 / (2 L_0) falls by the integral
+// of the price EA/2 ((L/L_0)^2 - 1), of which the mean of both ends is too much by a little.
 TEST(Numerical, ofTheLineIsWhatTheMeanOfItsPricesMisses)
 {
   constexpr double ea = 1e5;  // [N], a line that stretches by tens of per cent

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Steps that fail are repeated in parts, and the whole step is gone back to as soon as the grid allows: with made-up outcomes.
 #include <gtest/gtest.h>
 
@@ -85,7 +86,8 @@ TEST(Halving, partsOfAThirtySecondAreTheLast)
 
 TEST(Halving, whatIsSolvedIsRefinedToAnEighthAtMostAndWhileIterationsAreLeft)
 {
-  const auto coarse = [](const Scripted::Attempt& a, int&) { return a.may_refine ? StepResult::error_test_failed : StepResult::solved; };
+  const auto coarse = [](const Scripted::Attempt& a, int&)
+  { return a.may_refine ? StepResult::error_test_failed : StepResult::solved; };
   Scripted integrator(any_rig(), coarse);
   EXPECT_TRUE(integrator.advance_by(32.0));
   EXPECT_EQ((std::vector<double>{32, 16, 8, 4, 4, 8, 4, 4, 8, 4, 4, 8, 4, 4}), steps_of(integrator));
@@ -104,7 +106,8 @@ TEST(Halving, whatIsSolvedIsRefinedToAnEighthAtMostAndWhileIterationsAreLeft)
 
 TEST(Halving, endsWhereItsIterationsAreSpent)
 {
-  Scripted integrator(any_rig(), [](const Scripted::Attempt&, int& budget)
+  Scripted integrator(any_rig(),
+                      [](const Scripted::Attempt&, int& budget)
                       {
                         budget -= 120;
                         return StepResult::not_converged;

@@ -1,4 +1,6 @@
-// Newton's rules on a problem whose iterates are known: a bit on a spring, over a second spring that begins where it touches bottom.
+// SPDX-License-Identifier: BSD-3-Clause
+// Newton's rules on a problem whose iterates are known: a bit on a spring, over a second spring that begins where it touches
+// bottom.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -17,14 +19,16 @@ namespace
 {
 constexpr double soft = 1e4;  // c, the first spring: the bit's inertia over the square of a step [N/m]
 
-/// f(x) = c x + k max(0, x) - c D for the bit's depth x below first touch: Newton's method from x < 0 goes to D first, and the solution is
-/// D c/(c + k).
+/// f(x) = c x + k max(0, x) - c D for the bit's depth x below first touch: Newton's method from x < 0 goes to D first, and the
+/// solution is D c/(c + k).
 class TwoSprings
 {
 public:
   /// `ratio`: k/c; `beyond`: D [m].
   TwoSprings(double ratio, double beyond)
-      : rig_(lone_bit(scene_for(ratio), [](MeshNode&, BeamSection& pipe) { pipe.axial = 1e-9; })), stage_(*rig_.model), work_(*rig_.model),
+      : rig_(lone_bit(scene_for(ratio), [](MeshNode&, BeamSection& pipe) { pipe.axial = 1e-9; })),
+        stage_(*rig_.model),
+        work_(*rig_.model),
         u_(6 * rig_.model->nodes(), 0.0)
   {
     begin_step(*rig_.model, rig_.state, 0.01, Setpoints(), stage_);
@@ -77,7 +81,8 @@ constexpr double just_above = -1e-9;  // [m]
 constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
 }  // namespace
 
-// What an iteration leaves is its increment times its contraction, the first one's taken as 1; an increment that was cut never ends it.
+// What an iteration leaves is its increment times its contraction, the first one's taken as 1; an increment that was cut never
+// ends it.
 TEST(Newton, convergesOnTheErrorThatItsIncrementLeaves)
 {
   NewtonLimits limits;
@@ -108,8 +113,8 @@ TEST(Newton, solvesALinearProblemWithOneTangent)
   EXPECT_EQ(problem.work().substitutions, 1u);
 }
 
-// k = c/10: with the tangent of the first iteration the increments are D/10^n. It must go on until D/10^(n+1), what the n-th leaves, is
-// below the tolerance, and no further; then one more look at the forces, where the solution is.
+// k = c/10: with the tangent of the first iteration the increments are D/10^n. It must go on until D/10^(n+1), what the n-th
+// leaves, is below the tolerance, and no further; then one more look at the forces, where the solution is.
 TEST(Newton, stopsWhenTheToleranceIsReachedAndNotBefore)
 {
   int n = 1;

@@ -1,8 +1,10 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Where drilling with the regenerative law begins to shake, against linear theory: small disturbances of a steady cut follow
 //   1 + (1 - exp(-s tau)) [K/(s Z_a) - n a (W - W_f)/(4 pi zeta s Z_t)] = 0,   tau = 2 pi/(n Omega),
-// K = n a zeta epsilon the cut's stiffness, Z_a and Z_t force over velocity and torque over spin of the string at the bit. Aarsnes and
-// Aamo, Linear stability analysis of self-excited vibrations in drilling using an infinite dimensional model, J. Sound Vib. 360 (2016),
-// 239-259. The impedances are of the string's own ladder of masses and springs; the rest of the comparison is the simulator's.
+// K = n a zeta epsilon the cut's stiffness, Z_a and Z_t force over velocity and torque over spin of the string at the bit.
+// Aarsnes and Aamo, Linear stability analysis of self-excited vibrations in drilling using an infinite dimensional model, J.
+// Sound Vib. 360 (2016), 239-259. The impedances are of the string's own ladder of masses and springs; the rest of the comparison
+// is the simulator's.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -141,7 +143,8 @@ double twisting(double speed_of_sinking)
 Complex axial_parameter(const Ladder& string, double speed, double feed, Complex s)
 {
   const double delay = 2.0 * pi / (kBlades * speed);
-  return -1.0 / ((1.0 - std::exp(-s * delay)) * (1.0 / (s * string.axial(s)) - twisting(feed * delay) / (s * string.torsional(s))));
+  return -1.0 /
+         ((1.0 - std::exp(-s * delay)) * (1.0 / (s * string.axial(s)) - twisting(feed * delay) / (s * string.torsional(s))));
 }
 
 /// The complex W - W_f, at `speed` in rock of stiffness K.
@@ -191,7 +194,8 @@ enum class Swing
   speed
 };
 
-/// The rig some seconds after it has come, slowly, from a lesser feed to the steady cut and been knocked on at the bit: the signal [N or rad/s].
+/// The rig some seconds after it has come, slowly, from a lesser feed to the steady cut and been knocked on at the bit: the
+/// signal [N or rad/s].
 std::vector<double> swings(const Scene& string, const Cut& cut, Swing what)
 {
   constexpr double coming = 8.0, other_modes = 4.0, span = 10.0, least = 0.8;  // [s], [s], [s], [-]
@@ -233,16 +237,17 @@ double growth(const std::vector<double>& signal, double frequency)
   return up / down / (window * kStep);
 }
 
-/// The simulated growths 5 % below and above the onset against the roots of the characteristic equation; the simulated onset lies between.
+/// The simulated growths 5 % below and above the onset against the roots of the characteristic equation; the simulated onset lies
+/// between.
 template <class F, class G>
 void compare(double speed, const F& value_at, const G& simulated)
 {
   const Onset onset = least_onset(value_at);
   const double below = simulated(0.95, onset), above = simulated(1.05, onset);
   const double root_below = root_growth(value_at, onset, 0.95), root_above = root_growth(value_at, onset, 1.05);
-  std::cout << speed / rpm << " rpm: onset at " << onset.value << ", " << onset.frequency / (2.0 * pi) << " Hz; growth [1/s] at 95 %: " << below
-            << ", linear theory " << root_below << "; at 105 %: " << above << ", " << root_above << "; simulated onset "
-            << 0.95 + 0.1 * below / (below - above) << " of it\n";
+  std::cout << speed / rpm << " rpm: onset at " << onset.value << ", " << onset.frequency / (2.0 * pi)
+            << " Hz; growth [1/s] at 95 %: " << below << ", linear theory " << root_below << "; at 105 %: " << above << ", "
+            << root_above << "; simulated onset " << 0.95 + 0.1 * below / (below - above) << " of it\n";
   EXPECT_LT(below, 0.0);
   EXPECT_GT(above, 0.0);
   EXPECT_NEAR(below, root_below, 0.2 * std::abs(root_below));
@@ -260,12 +265,14 @@ TEST(Onset, axialInStiffnessAndSpeed)
   {
     const RigAtRest rest = build_at_rest(under(string, {speed, 5e5, 3e3}));
     const Ladder ladder(rest);
-    compare(speed, [&](Complex s) { return axial_parameter(ladder, speed, feed, s); },
-            [&](double share, const Onset& onset)
-            {
-              const double stiffness = share * onset.value;
-              return growth(swings(string, {speed, stiffness, stiffness * feed * 2.0 * pi / (kBlades * speed)}, Swing::weight), onset.frequency);
-            });
+    compare(
+        speed, [&](Complex s) { return axial_parameter(ladder, speed, feed, s); },
+        [&](double share, const Onset& onset)
+        {
+          const double stiffness = share * onset.value;
+          return growth(swings(string, {speed, stiffness, stiffness * feed * 2.0 * pi / (kBlades * speed)}, Swing::weight),
+                        onset.frequency);
+        });
   }
 }
 
@@ -278,9 +285,11 @@ TEST(Onset, torsionalInWeightAndSpeed)
   {
     const RigAtRest rest = build_at_rest(under(string, {speed, stiffness, 5e3}));
     const Ladder ladder(rest);
-    compare(speed, [&](Complex s) { return torsional_parameter(ladder, speed, stiffness, s); },
-            [&](double share, const Onset& onset)
-            { return growth(swings(string, {speed, stiffness, share * onset.value}, Swing::speed), onset.frequency); });
+    compare(
+        speed, [&](Complex s) { return torsional_parameter(ladder, speed, stiffness, s); },
+        [&](double share, const Onset& onset) {
+          return growth(swings(string, {speed, stiffness, share * onset.value}, Swing::speed), onset.frequency);
+        });
   }
 }
 }  // namespace test_solve_onset

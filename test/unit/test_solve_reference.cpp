@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The reference: the rig as a DAE under IDA, against closed forms, against itself at other tolerances, and against the default
 // stepper.
 #include <gtest/gtest.h>
@@ -124,14 +125,15 @@ TEST(Reference, DrillsAsTheDefaultStepperDoesAtShortSteps)
 TEST(Reference, JointsHoldWhileItDrills)
 {
   Scene scene = drilling(1e-6);
-  scene.rig.hoisting.rail_friction = 0.0;  // where the block begins to slide, forces have a kink, and the joints' rates twice the drift
+  scene.rig.hoisting.rail_friction =
+      0.0;  // where the block begins to slide, forces have a kink, and the joints' rates twice the drift
   Simulator simulator(scene);
   start_up(simulator);
   run(simulator, 1.0);
   ASSERT_TRUE(simulator.statistics().is_reference);
   const ReferenceReport& report = simulator.statistics().reference;
-  // Newton's method ends at 1e-8 m or rad, and 1e-6 in rates, in root mean square over the unknowns (some 300). Its tangent may be old: the
-  // joints' axes have turned with the string since, and are what converges last.
+  // Newton's method ends at 1e-8 m or rad, and 1e-6 in rates, in root mean square over the unknowns (some 300). Its tangent may
+  // be old: the joints' axes have turned with the string since, and are what converges last.
   EXPECT_LT(report.drift, 1e-8 * std::sqrt(300.0));
   EXPECT_LT(report.rate_drift, 1e-6);
   EXPECT_GT(report.ida.steps, 100u);
@@ -218,8 +220,8 @@ void expect_exact_jacobian(TopDriveMode mode)
   rig.begin(0.0, state, setpoints, y);
   const auto n = y.size();
   const double t = 0.1 * kStep, c = 500.0;
-  // on the way: at the very start of an interval sliding contacts stand at the corner of their law; but not far: the arms of the elements'
-  // middles stay those of the start, half-way that is 2e-6 of a row
+  // on the way: at the very start of an interval sliding contacts stand at the corner of their law; but not far: the arms of the
+  // elements' middles stay those of the start, half-way that is 2e-6 of a row
   for (std::size_t k = 0; k < n; ++k) y[k] += t * rate[k];
   SparseJacobian jacobian(static_cast<int>(n));
   jacobian.begin();

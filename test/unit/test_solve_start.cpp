@@ -1,4 +1,6 @@
-// How soon a start is found: its first guess and its continuation are worth counting, a result that is right all the same hides them.
+// SPDX-License-Identifier: BSD-3-Clause
+// How soon a start is found: its first guess and its continuation are worth counting, a result that is right all the same hides
+// them.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -45,21 +47,29 @@ void expect_refusal(const Scene& scene, const std::string& word)
 }
 }  // namespace
 
-// A bend may be held on an edge of its hole, from which only the friction of the walls keeps it: neither at rest nor lowered does it jump.
+// A bend may be held on an edge of its hole, from which only the friction of the walls keeps it: neither at rest nor lowered does
+// it jump.
 TEST(Start, ofASlideStaysInItsToolface)
 {
   struct Slide
   {
     double inclination, bend, toolface, friction;  // [deg, deg, deg, -]
   };
-  for (const Slide& s : {Slide{0.0, 1.3, 115.0, 0.12}, {3.0, 1.6, -140.0, 0.2}, {12.0, 2.0, -60.0, 0.1}, {45.0, 1.0, 180.0, 0.3}, {90.0, 1.7, 135.0, 0.25}, {90.0, 1.1, 0.0, 0.1}})
+  for (const Slide& s : {Slide{0.0, 1.3, 115.0, 0.12},
+                         {3.0, 1.6, -140.0, 0.2},
+                         {12.0, 2.0, -60.0, 0.1},
+                         {45.0, 1.0, 180.0, 0.3},
+                         {90.0, 1.7, 135.0, 0.25},
+                         {90.0, 1.1, 0.0, 0.1}})
   {
     const double inclination = s.inclination * degree;
-    Scene scene = scene_in({{0.0, 0.0, 1.0}, {100.0, 0.0, 1.0}, {400.0, inclination, 1.0}, {500.0, inclination, 1.0}}, 500.0, 499.0, s.friction);
+    Scene scene = scene_in({{0.0, 0.0, 1.0}, {100.0, 0.0, 1.0}, {400.0, inclination, 1.0}, {500.0, inclination, 1.0}}, 500.0,
+                           499.0, s.friction);
     scene.string = {bit_part(0.2159), motor_part(s.bend * degree), mwd_part(), pipe_part(0, 9.5, tool_jointed_mass)};
     scene.start.toolface = s.toolface * degree;
     Simulator rig(scene);
-    const auto off = [&] { return std::abs(std::remainder(rig.truth().bend_toolface - scene.start.toolface, 2.0 * pi)) / degree; };
+    const auto off = [&]
+    { return std::abs(std::remainder(rig.truth().bend_toolface - scene.start.toolface, 2.0 * pi)) / degree; };
     for (int k = 0; k < 2000; ++k)
     {
       if (k == 1000) rig.command(WinchSetpoint{-0.02, false});
@@ -98,7 +108,8 @@ TEST(Start, weightOnBit)
   EXPECT_LE(iterations_of(scene), 17);
 }
 
-// Slant from the surface on, the string leans and bends where it enters: the bit does not reach as much farther as the string is longer.
+// Slant from the surface on, the string leans and bends where it enters: the bit does not reach as much farther as the string is
+// longer.
 TEST(Start, aSlantHoleFromTheSurface)
 {
   for (const double weight : {0.0, 3e3, 10e3, 20e3})
@@ -124,7 +135,8 @@ TEST(Start, onBottomWithoutWeightTheBitJustTouches)
     scene.start.weight_on_bit = scene.start.torque_on_bit = 0.0;
     const RigAtRest rig = build_at_rest(scene);
     EXPECT_LT(rig.statics.forces.wob, 20.0) << file;
-    EXPECT_NEAR(bit_depth(*rig.model, rig.state), scene.well.hole_depth, 5e-5) << file << ": a tilted ball touches beside its face's middle";
+    EXPECT_NEAR(bit_depth(*rig.model, rig.state), scene.well.hole_depth, 5e-5)
+        << file << ": a tilted ball touches beside its face's middle";
   }
 }
 
@@ -164,7 +176,8 @@ TEST(Start, aStringStartedWithTorqueStaysAtRest)
   }
 }
 
-// A bent motor in a hole that inclines from the surface on: the string leans on the table's edge, and its length is found all the same.
+// A bent motor in a hole that inclines from the surface on: the string leans on the table's edge, and its length is found all the
+// same.
 TEST(Start, aBentMotorInAHoleThatInclinesFromTheSurface)
 {
   Scene scene = slanted_scene(150.0, 0.3);
@@ -206,13 +219,15 @@ void expect_start(const Scene& scene)
   const RigAtRest rig = build_at_rest(scene);
   EXPECT_LT(rig.statics.residual, 1e-6 * rig.statics.top_force);
   EXPECT_LT(std::abs(rig.statics.holding_torque), 1e-2);
-  EXPECT_NEAR(std::remainder(bend_toolface(*rig.model, rig.state) - scene.start.toolface, 2.0 * pi), 0.0, 1e-4) << scene.start.toolface / degree;
+  EXPECT_NEAR(std::remainder(bend_toolface(*rig.model, rig.state) - scene.start.toolface, 2.0 * pi), 0.0, 1e-4)
+      << scene.start.toolface / degree;
   Stage stage(*rig.model);
   Workspace work(*rig.model);
   std::vector<double> residual(6 * rig.state.nodes.size()), there(residual.size(), 0.0);
   begin_static(*rig.model, rig.state, no_sliding, 0.0, stage);
   evaluate_static(*rig.model, rig.state, stage, there.data(), work, residual.data(), nullptr);
-  for (const double force : residual) EXPECT_LT(std::abs(force), 1e-6 * rig.statics.top_force) << "out of balance where it was found";
+  for (const double force : residual)
+    EXPECT_LT(std::abs(force), 1e-6 * rig.statics.top_force) << "out of balance where it was found";
 }
 
 /// Light pipe of aluminium, soft in torsion.
@@ -230,7 +245,12 @@ PartSpec light_pipe()
 /// A bent motor in an S-shaped hole that ends with this inclination.
 Scene s_shaped_scene(double last, double bend)
 {
-  Scene scene = scene_in({{0.0, 0.0, 3.7}, {160.0, 0.0, 3.7}, {360.0, 27.0 * degree, 3.7}, {530.0, 27.0 * degree, 3.7}, {710.0, last, 3.7}, {1370.0, last, 3.7}},
+  Scene scene = scene_in({{0.0, 0.0, 3.7},
+                          {160.0, 0.0, 3.7},
+                          {360.0, 27.0 * degree, 3.7},
+                          {530.0, 27.0 * degree, 3.7},
+                          {710.0, last, 3.7},
+                          {1370.0, last, 3.7}},
                          1370.0, 1369.6, 0.2);
   scene.string = {bit_part(0.2159), motor_part(bend), collar_part(2, 9.4), light_pipe()};
   return scene;
@@ -260,7 +280,8 @@ TEST(Start, everyToolfaceOfALargeBendBelowASoftString)
   }
 }
 
-// Light pipe that pushes a packed assembly along buckles, and snaps from one side of its hole to the other on the way to its equilibrium.
+// Light pipe that pushes a packed assembly along buckles, and snaps from one side of its hole to the other on the way to its
+// equilibrium.
 TEST(Start, compressedPipeThatSnaps)
 {
   for (const double weight : {20e3, 30e3, 37e3, 45e3})

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Variable steps: the local error that steers them, how the steps follow the tolerance, and what blows do to them.
 #include <gtest/gtest.h>
 
@@ -28,7 +29,8 @@ std::shared_ptr<const Model> with_numerics(const RigAtRest& rig, double step, do
 double distance(const State& a, const State& b)
 {
   double most = 0.0;
-  for (std::size_t i = 0; i < a.nodes.size(); ++i) most = std::max(most, (a.nodes[i].position - b.nodes[i].position).cwiseAbs().maxCoeff());
+  for (std::size_t i = 0; i < a.nodes.size(); ++i)
+    most = std::max(most, (a.nodes[i].position - b.nodes[i].position).cwiseAbs().maxCoeff());
   return most;
 }
 
@@ -73,13 +75,15 @@ TEST(StepControl, theDistanceToTheExtrapolationTellsTheLocalError)
     for (std::size_t i = 0; i < a.nodes.size(); ++i)
     {
       coarse.memory.past[0].nodes[i] = a.nodes[i].rate;
-      coarse.memory.past[1].nodes[i] = {b.nodes[i].position - a.nodes[i].position, Eigen::Vector3d::Zero(), b.nodes[i].spin_angle - a.nodes[i].spin_angle};
+      coarse.memory.past[1].nodes[i] = {b.nodes[i].position - a.nodes[i].position, Eigen::Vector3d::Zero(),
+                                        b.nodes[i].spin_angle - a.nodes[i].spin_angle};
     }
     coarse.memory.past[0].rotor = a.drive.speed;
     coarse.memory.past[1].rotor = b.drive.angle - a.drive.angle;
     std::vector<double> guess(6 * coarse.nodes.size());
     predict(coarse, step, guess.data());
-    for (std::size_t i = 0; i < coarse.nodes.size(); ++i) extrapolated.nodes[i].position += Eigen::Map<const Eigen::Vector3d>(guess.data() + 6 * i);
+    for (std::size_t i = 0; i < coarse.nodes.size(); ++i)
+      extrapolated.nodes[i].position += Eigen::Map<const Eigen::Vector3d>(guess.data() + 6 * i);
     Stepper stepper(rig.model, bdf2);
     ASSERT_TRUE(stepper.advance(coarse, step, Setpoints()));
     const double told = bdf2.share_of_distance(ratio) * distance(coarse, extrapolated), is = distance(coarse, exact);
@@ -88,8 +92,8 @@ TEST(StepControl, theDistanceToTheExtrapolationTellsTheLocalError)
   }
 }
 
-// The error of smooth waves goes with h^2, and what is allowed with the tolerance to the power of 3/2: ten times the tolerance, 5.6 times the step; less
-// where places, whose error goes with h^3, or what instruments resolve stand in the way.
+// The error of smooth waves goes with h^2, and what is allowed with the tolerance to the power of 3/2: ten times the
+// tolerance, 5.6 times the step; less where places, whose error goes with h^3, or what instruments resolve stand in the way.
 TEST(StepControl, stepsGoWithTheTolerance)
 {
   const auto mean = [](double tolerance)
@@ -102,8 +106,8 @@ TEST(StepControl, stepsGoWithTheTolerance)
   EXPECT_LT(loose / tight, 6.0);
 }
 
-/// What the control allows of a wave about the string, or along it, over what it allows by a tolerance of 2 % where all is needed: outputs that have
-/// ranged so far that nothing but the rule is in the way.
+/// What the control allows of a wave about the string, or along it, over what it allows by a tolerance of 2 % where all is
+/// needed: outputs that have ranged so far that nothing but the rule is in the way.
 double allowed(double tolerance, unsigned needs, bool about)
 {
   const auto stretch_squared = [&](double t, unsigned n)
@@ -166,7 +170,12 @@ TEST(StepControl, stepsGoWithTheNeeds)
 
 TEST(StepControl, aRestIsSteppedAsLongAsAllowed)
 {
-  const Scene scene = [] { Scene s = vertical_scene(400.0, 290.0); s.numerics.step = 0.0; return s; }();
+  const Scene scene = []
+  {
+    Scene s = vertical_scene(400.0, 290.0);
+    s.numerics.step = 0.0;
+    return s;
+  }();
   const RigAtRest rig = build_at_rest(scene);
   Stepper stepper(rig.model, bdf2);
   State state = rig.state;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A stuck pipe holds: in statics, with the default method and with the reference, by the springs that it is held with.
 #include <gtest/gtest.h>
 
@@ -36,7 +37,8 @@ Scene hanging(IntegratorKind integrator = IntegratorKind::automatic)
 double pull_stiffness(const Mesh& mesh)
 {
   double compliance = 1.0 / stuck_point_stiffness;
-  for (std::size_t e = stuck; e < mesh.elements.size(); ++e) compliance += mesh.elements[e].section.length / mesh.elements[e].section.axial;
+  for (std::size_t e = stuck; e < mesh.elements.size(); ++e)
+    compliance += mesh.elements[e].section.length / mesh.elements[e].section.axial;
   return 1.0 / compliance;
 }
 
@@ -51,10 +53,10 @@ double twist_stiffness(const Mesh& mesh)
 /// What holds a rig's stuck node, of the string and of the place.
 struct Hold
 {
-  double lift, turn;     // of the node since the start [m], [rad]
-  double force, torque;  // change of tension and torque over the node since the start [N], [N m]
-  double top_force;      // change of the hook load [N]
-  double rise;           // of the top [m]
+  double lift, turn;      // of the node since the start [m], [rad]
+  double force, torque;   // change of tension and torque over the node since the start [N], [N m]
+  double top_force;       // change of the hook load [N]
+  double rise;            // of the top [m]
   double rest_of_torque;  // below the node [N m]
 };
 
@@ -107,7 +109,8 @@ TEST(StuckPoint, carriesTheLoadInStatics)
   ASSERT_GT(force, 1e5);
   EXPECT_NEAR(held.top_force - rig.statics.top_force, force, 1e-4 * force);
   EXPECT_NEAR(held.top_torque, torque, 1e-4 * torque);
-  EXPECT_NEAR(state.nodes[stuck].position.z() - rig.state.nodes[stuck].position.z(), force / stuck_point_stiffness, 1e-4 * force / stuck_point_stiffness);
+  EXPECT_NEAR(state.nodes[stuck].position.z() - rig.state.nodes[stuck].position.z(), force / stuck_point_stiffness,
+              1e-4 * force / stuck_point_stiffness);
   for (const NodeState& node : state.nodes) EXPECT_EQ(node.spin_angle, 0.0) << "a start: turns are counted from here";
   for (std::size_t e = 0; e < mesh.elements.size(); ++e)
   {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Pick-up, slack-off and rotating weights and torque: the static solution and the moving string against the soft string.
 #include <gtest/gtest.h>
 
@@ -170,8 +171,8 @@ TEST(TorqueAndDrag, staticSolutionAgreesWithTheSoftString)
   }
 }
 
-// Turned along by 0.02 rad a step, as far as a step may tilt a node, the lower pipe would be left too few steps to settle. Bounds: of the
-// weight as above; of the torque 2 %, for clearance takes 2 acos(1 - c/R) = 0.74 deg off the 40 deg of the bends.
+// Turned along by 0.02 rad a step, as far as a step may tilt a node, the lower pipe would be left too few steps to settle.
+// Bounds: of the weight as above; of the torque 2 %, for clearance takes 2 acos(1 - c/R) = 0.74 deg off the 40 deg of the bends.
 TEST(TorqueAndDrag, manyRadiansOfTwistAreFound)
 {
   for (const Case& c : at_both_levels({twisted()}))

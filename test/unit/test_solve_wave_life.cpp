@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // How long waves live: by the mud, and by walls that pipe at rest, turning or sliding lies on.
 #include <gtest/gtest.h>
 
@@ -29,7 +30,8 @@ State moving(const RigAtRest& rig, double along, double about)
   return state;
 }
 
-/// Sums over the string, f = mu w sin(i) the friction of the walls and r its lever: f/r [N/m], f r^2 [N m2], mass [kg], inertia [kg m2].
+/// Sums over the string, f = mu w sin(i) the friction of the walls and r its lever: f/r [N/m], f r^2 [N m2], mass [kg], inertia
+/// [kg m2].
 struct Sums
 {
   double over_lever = 0.0, times_lever = 0.0, mass = 0.0, inertia = 0.0;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Axial and torsional waves travel at the speed of the bar's wave equation; tool joints, mass without stiffness, slow them.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Chains of beam elements against closed forms: large deflection, roll-up, P-delta, buckling, torsion, shear, a bend in space.
 #include <gtest/gtest.h>
 
@@ -57,7 +58,9 @@ double buckling_ratio(int count)
 {
   const double euler = pi * pi * StraightColumn::bending / (StraightColumn::length * StraightColumn::length);
   const StraightColumn column{StraightColumn::pinned, StraightColumn::sliding};
-  return critical_load([&](double force) { return column.loaded(find_beam(ElementKind::automatic), count, force); }, 0, 0.5 * euler, 2.0 * euler) / euler;
+  return critical_load([&](double force) { return column.loaded(find_beam(ElementKind::automatic), count, force); }, 0,
+                       0.5 * euler, 2.0 * euler) /
+         euler;
 }
 }  // namespace
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Structural damping of every kind of beam element: the power of the rates of its strains.
 #include <gtest/gtest.h>
 
@@ -70,11 +71,14 @@ TEST(BeamKinds, dampingTakesThePowerOfStretchTwistAndBending)
         return strain;
       };
       const BeamStrain before = strain_after(-h), after = strain_after(h);
-      const double stretch_rate = (after.stretch - before.stretch) / (2.0 * h), twist_rate = (after.twist - before.twist) / (2.0 * h);
+      const double stretch_rate = (after.stretch - before.stretch) / (2.0 * h),
+                   twist_rate = (after.twist - before.twist) / (2.0 * h);
       const double bending = bending_power(kind, ends_after, time);
-      const double expected = time * (kPipe.axial * kPipe.length * stretch_rate * stretch_rate + kPipe.torsion * twist_rate * twist_rate) + bending;
+      const double expected =
+          time * (kPipe.axial * kPipe.length * stretch_rate * stretch_rate + kPipe.torsion * twist_rate * twist_rate) + bending;
       const BeamForces still = forces(kind, s), damped = forces(kind, s, damping);
-      const double power = (damped.force - still.force).dot(damping.velocity) + (damped.moment_upper - still.moment_upper).dot(damping.upper_turning) +
+      const double power = (damped.force - still.force).dot(damping.velocity) +
+                           (damped.moment_upper - still.moment_upper).dot(damping.upper_turning) +
                            (damped.moment_lower - still.moment_lower).dot(damping.lower_turning);
       EXPECT_NEAR(power, expected, 1e-6 * expected + 1e-4 * bending) << kind.name;
     }

@@ -1,4 +1,6 @@
-// Every kind of beam element in the table: tangent, energy, rigid motion, patches, order; what the total rotation vector cannot do.
+// SPDX-License-Identifier: BSD-3-Clause
+// Every kind of beam element in the table: tangent, energy, rigid motion, patches, order; what the total rotation vector cannot
+// do.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -53,7 +55,8 @@ double change_by_turning(const BeamKind& kind, const BeamEnds& s, const Quaterni
   BeamForces f = forces(kind, s);
   for (Vector3d* v : {&f.force, &f.moment_upper, &f.moment_lower}) *v = q * *v;
   const Vector12d before = stacked(f), after = stacked(forces(kind, turned(s, q)));
-  return std::max((after - before).head<3>().norm() / before.head<3>().norm(), (after - before).tail<3>().norm() / before.tail<3>().norm());
+  return std::max((after - before).head<3>().norm() / before.head<3>().norm(),
+                  (after - before).tail<3>().norm() / before.tail<3>().norm());
 }
 
 /// A hanging element bent by `angle` between its ends and twisted by half as much, its stretch 1e-4.
@@ -76,10 +79,12 @@ TEST(BeamKinds, theFirstIsTheDefault)
 TEST(BeamKinds, everyKindIsAWordOfTheSceneFile)
 {
   const std::string quick = in_source("config/scenes/quick.yaml");
-  for (const BeamKind& kind : beam_table()) EXPECT_EQ(read_scene(quick, {std::string("numerics.element=") + kind.name}).numerics.element, kind.kind) << kind.name;
+  for (const BeamKind& kind : beam_table())
+    EXPECT_EQ(read_scene(quick, {std::string("numerics.element=") + kind.name}).numerics.element, kind.kind) << kind.name;
 }
 
-// Without tension at its free stretch, and elastic about it: forces are the gradient of the energy there, the tangent that of the forces.
+// Without tension at its free stretch, and elastic about it: forces are the gradient of the energy there, the tangent that of the
+// forces.
 TEST(BeamKinds, freeStretchIsWhereThereIsNoTension)
 {
   std::mt19937 generator(7);
@@ -105,7 +110,9 @@ TEST(BeamKinds, freeStretchIsWhereThereIsNoTension)
     for (int k = 0; k < 12; ++k)
     {
       const double h = 1e-5;
-      EXPECT_NEAR(stacked(f)[k], (kind.energy(kPipe, with(moved(s, k, h))) - kind.energy(kPipe, with(moved(s, k, -h)))) / (2.0 * h), 1e-5 * stacked(f).norm())
+      EXPECT_NEAR(stacked(f)[k],
+                  (kind.energy(kPipe, with(moved(s, k, h))) - kind.energy(kPipe, with(moved(s, k, -h)))) / (2.0 * h),
+                  1e-5 * stacked(f).norm())
           << kind.name << " " << k;
       const Vector12d column = (stacked(at(moved(s, k, 0.1 * h))) - stacked(at(moved(s, k, -0.1 * h)))) / (0.2 * h);
       EXPECT_LT((tangent.col(k) - column).norm(), 1e-6 * tangent.norm()) << kind.name << " " << k;
@@ -134,9 +141,11 @@ TEST(BeamKinds, tangentIsTheDerivativeOfTheForces)
           auto at = [&](double move)
           { return stacked(kind.forces(kPipe, pose_of(moved(s, k, move)), moving(k, dv_du * move, time, dv_du), load, strain)); };
           const Vector12d column = (at(h) - at(-h)) / (2.0 * h);
-          EXPECT_LT((column - k_matrix.col(k)).norm(), 1e-6 * k_matrix.norm()) << kind.name << ", size " << size << ", column " << k;
+          EXPECT_LT((column - k_matrix.col(k)).norm(), 1e-6 * k_matrix.norm())
+              << kind.name << ", size " << size << ", column " << k;
           // rotations on their own: axial stiffness must not hide an error in the bending terms
-          EXPECT_LT((column - k_matrix.col(k)).tail<3>().norm(), 1e-6 * t.lower_lower.norm()) << kind.name << ", size " << size << ", column " << k;
+          EXPECT_LT((column - k_matrix.col(k)).tail<3>().norm(), 1e-6 * t.lower_lower.norm())
+              << kind.name << ", size " << size << ", column " << k;
         }
       }
     }
@@ -157,7 +166,8 @@ TEST(BeamKinds, forcesAreTheGradientOfTheRigidSectionsEnergy)
         {
           const double h = 1e-4;
           const double slope = (8.0 * (c.second(moved(s, k, h)) - c.second(moved(s, k, -h))) -
-                                (c.second(moved(s, k, 2.0 * h)) - c.second(moved(s, k, -2.0 * h)))) / (12.0 * h);
+                                (c.second(moved(s, k, 2.0 * h)) - c.second(moved(s, k, -2.0 * h)))) /
+                               (12.0 * h);
           EXPECT_NEAR(f[k], slope, 2e-6 * f.norm()) << c.first->name << " component " << k;
         }
       }
@@ -189,8 +199,8 @@ TEST(BeamKinds, rigidMotionTurnsTheForcesOfObjectiveElements)
     }
 }
 
-// A hanging, bent element: as the string turns about the vertical, the strain that the total rotation vectors see changes although
-// nothing bends. The change is of second order in the bend, and grows without bound towards the full turn.
+// A hanging, bent element: as the string turns about the vertical, the strain that the total rotation vectors see changes
+// although nothing bends. The change is of second order in the bend, and grows without bound towards the full turn.
 TEST(BeamKinds, rigidMotionChangesTheStrainOfTotalRotationVectors)
 {
   auto false_shear = [](double bend, double angle)
@@ -204,8 +214,8 @@ TEST(BeamKinds, rigidMotionChangesTheStrainOfTotalRotationVectors)
   for (double angle : {0.5 * pi, pi, 1.5 * pi, 1.9 * pi})
   {
     const double shear = false_shear(bend, angle);
-    std::printf("rotation_vector, bent by %g rad, turned by %.0f deg: false shear of %.1e rad, %.4f of the bend\n", bend, angle / degree, shear,
-                shear / bend);
+    std::printf("rotation_vector, bent by %g rad, turned by %.0f deg: false shear of %.1e rad, %.4f of the bend\n", bend,
+                angle / degree, shear, shear / bend);
     EXPECT_GT(shear, last);
     EXPECT_NEAR(std::log2(shear / false_shear(0.5 * bend, angle)), 2.0, 0.1);
     last = shear;
@@ -216,7 +226,8 @@ TEST(BeamKinds, rigidMotionChangesTheStrainOfTotalRotationVectors)
 TEST(BeamKinds, totalRotationVectorsRefuseTheFullTurn)
 {
   const BeamEnds s = bent_ends(0.02);
-  EXPECT_TRUE(forces(kVector, turned(s, rotation_from_vector(Vector3d(0.0, 0.0, 2.0 * pi - full_turn_margin - 0.05)))).force.allFinite());
+  EXPECT_TRUE(
+      forces(kVector, turned(s, rotation_from_vector(Vector3d(0.0, 0.0, 2.0 * pi - full_turn_margin - 0.05)))).force.allFinite());
   for (double angle : {2.0 * pi - full_turn_margin + 0.05, 2.0 * pi, 2.0 * pi + 0.05})
   {
     const BeamEnds around = turned(s, rotation_from_vector(Vector3d(0.0, 0.0, angle)));
@@ -258,8 +269,8 @@ TEST(BeamKinds, cantileverConvergesAtSecondOrder)
       const Vector3d tip = chain.tip().position / length;
       error.push_back(std::hypot(tip.y() - exact.drop, 1.0 - tip.x() - exact.shortening));
     }
-    std::printf("%s, cantilever under 5 E I/L^2: tip off by %.2e %.2e %.2e %.2e L with 8, 16, 32, 64 elements\n", kind.name, error[0], error[1],
-                error[2], error[3]);
+    std::printf("%s, cantilever under 5 E I/L^2: tip off by %.2e %.2e %.2e %.2e L with 8, 16, 32, 64 elements\n", kind.name,
+                error[0], error[1], error[2], error[3]);
     for (int k = 1; k < 3; ++k) EXPECT_NEAR(std::log2(error[k] / error[k + 1]), 2.0, 0.2) << kind.name;
   }
 }

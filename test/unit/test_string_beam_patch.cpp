@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Patches: stretch, torsion and pure bending of every kind of beam element, exact on any mesh where theory says so.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The beam element's forces are the gradient of its energy, its tangent the derivative of its forces.
 #include <gtest/gtest.h>
 
@@ -67,7 +68,8 @@ TEST(BeamElement, tangentIsTheDerivativeOfTheForces)
     const double time = 0.005, dv_du = 140.0;  // [s], [1/s]
     std::normal_distribution<double> g;
     auto random_vector = [&] { return Vector3d(g(generator), g(generator), g(generator)); };
-    const BeamDamping moving{time, dv_du, random_vector(), random_vector(), random_vector(), 20.0 * random_vector(), 20.0 * random_vector()};
+    const BeamDamping moving{
+        time, dv_du, random_vector(), random_vector(), random_vector(), 20.0 * random_vector(), 20.0 * random_vector()};
     auto damped = [&](int k, double h)
     {
       BeamDamping damping = moving;
@@ -90,7 +92,8 @@ TEST(BeamElement, tangentIsTheDerivativeOfTheForces)
     {
       const double h = 1e-6;
       const Vector12d column =
-          (stacked(forces(moved(s, k, h), damped(k, h), load)) - stacked(forces(moved(s, k, -h), damped(k, -h), load))) / (2.0 * h);
+          (stacked(forces(moved(s, k, h), damped(k, h), load)) - stacked(forces(moved(s, k, -h), damped(k, -h), load))) /
+          (2.0 * h);
       EXPECT_LT((column - k_matrix.col(k)).norm(), 1e-6 * k_matrix.norm()) << "column " << k;
       // rotations on their own: axial stiffness must not hide an error in the bending terms
       EXPECT_LT((column - k_matrix.col(k)).tail<3>().norm(), 1e-5 * t.lower_lower.norm()) << "column " << k;
@@ -110,7 +113,8 @@ TEST(BeamElement, dampingForcesAreThoseOfTheStrainsRate)
     const Vector3d v1 = random_vector(), v2 = random_vector(), w1 = random_vector(), w2 = random_vector();
     auto strain_after = [&](double time)
     {
-      const BeamEnds m{s.x1 + time * v1, s.x2 + time * v2, rotation_from_vector(time * w1) * s.q1, rotation_from_vector(time * w2) * s.q2};
+      const BeamEnds m{s.x1 + time * v1, s.x2 + time * v2, rotation_from_vector(time * w1) * s.q1,
+                       rotation_from_vector(time * w2) * s.q2};
       BeamStrain strain;
       beam_forces(kPipe, pose_of(m), {}, Vector3d::Zero(), strain);
       return strain;
@@ -126,8 +130,8 @@ TEST(BeamElement, dampingForcesAreThoseOfTheStrainsRate)
   }
 }
 
-// Kelvin and Voigt: with the strains' gradient at a straight element at rest the damping matrix is the stiffness times the time, so that
-// every small motion at w is damped by w time/2 of critical.
+// Kelvin and Voigt: with the strains' gradient at a straight element at rest the damping matrix is the stiffness times the time,
+// so that every small motion at w is damped by w time/2 of critical.
 TEST(BeamElement, dampingOfAStraightElementIsItsStiffnessTimesTheTime)
 {
   std::mt19937 generator(6);
@@ -151,7 +155,8 @@ TEST(BeamElement, dampingOfAStraightElementIsItsStiffnessTimesTheTime)
   }
 }
 
-// The bend's rates are those of the ends' tilts in axes that turn with the element and spin with its ends; damping takes their power.
+// The bend's rates are those of the ends' tilts in axes that turn with the element and spin with its ends; damping takes their
+// power.
 TEST(BeamElement, bendingDampingTakesThePowerOfTheTiltsInAxesThatSpin)
 {
   std::mt19937 generator(7);
@@ -166,7 +171,8 @@ TEST(BeamElement, bendingDampingTakesThePowerOfTheTiltsInAxesThatSpin)
     const double spin = 20.0 * g(generator);
     const Vector3d v = (common + spin * e).cross(s.x2 - s.x1);
     // a rigid motion, and on top of it each end's own: a bit of tilt, and the spin about its own normal
-    const Vector3d w1 = common + spin * x_axis(s.q1) + 0.01 * random_vector(), w2 = common + spin * x_axis(s.q2) + 0.01 * random_vector();
+    const Vector3d w1 = common + spin * x_axis(s.q1) + 0.01 * random_vector(),
+                   w2 = common + spin * x_axis(s.q2) + 0.01 * random_vector();
     auto tilts_after = [&](double time)
     {
       const Quaterniond back = rotation_from_vector(time * (common + spin * e)).conjugate();
@@ -178,7 +184,8 @@ TEST(BeamElement, bendingDampingTakesThePowerOfTheTiltsInAxesThatSpin)
     const double h = 1e-6, time = 1e-3;
     const Eigen::Matrix<double, 6, 1> rate = (tilts_after(h) - tilts_after(-h)) / (2.0 * h);
     const Vector3d a1 = rate.head<3>(), a2 = rate.tail<3>();
-    const double expected = time * (kPipe.bending_near * (a1.squaredNorm() + a2.squaredNorm()) + 2.0 * kPipe.bending_far * a1.dot(a2));
+    const double expected =
+        time * (kPipe.bending_near * (a1.squaredNorm() + a2.squaredNorm()) + 2.0 * kPipe.bending_far * a1.dot(a2));
     BeamSection bare = kPipe;
     bare.axial = bare.torsion = 0.0;
     BeamStrain strain;
@@ -229,8 +236,8 @@ TEST(BeamElement, spinningInABendCostsWhatARotatingShaftLoses)
   s.q2 = rotation_from_vector(Vector3d(0.0, 0.0, -half));
   const BeamDamping damping{time, 0.0, Vector3d::Zero(), spin * x_axis(s.q1), spin * x_axis(s.q2)};
   const BeamForces with = forces(s, damping), without = forces(s);
-  const double power =
-      (with.moment_upper - without.moment_upper).dot(damping.upper_turning) + (with.moment_lower - without.moment_lower).dot(damping.lower_turning);
+  const double power = (with.moment_upper - without.moment_upper).dot(damping.upper_turning) +
+                       (with.moment_lower - without.moment_lower).dot(damping.lower_turning);
   const double expected = time * kPipe.bending * curvature * curvature * spin * spin * kPipe.length;
   EXPECT_NEAR(power, expected, 1e-3 * expected);
 }
@@ -241,7 +248,8 @@ TEST(BeamElement, forcesAndMomentsBalance)
   for (int i = 0; i < 20; ++i)
   {
     const BeamEnds s = random_ends(generator, 0.1, 0.3);
-    const BeamForces f = forces(s, {0.01, 0.0, s.q1 * Vector3d(1.0, 2.0, -0.5), s.q2 * Vector3d(0.3, -1.0, 2.0), Vector3d(-1.0, 0.5, 3.0)});
+    const BeamForces f =
+        forces(s, {0.01, 0.0, s.q1 * Vector3d(1.0, 2.0, -0.5), s.q2 * Vector3d(0.3, -1.0, 2.0), Vector3d(-1.0, 0.5, 3.0)});
     const Vector3d rest = f.moment_upper + f.moment_lower + (s.x2 - s.x1).cross(f.force);
     EXPECT_LT(rest.norm(), 1e-9 * (f.force.norm() * 9.5 + f.moment_upper.norm()));
   }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The string as nodes and elements: lengths, masses, joints, special places, and strings that do not fit.
 #include <gtest/gtest.h>
 
@@ -160,7 +161,8 @@ TEST(Mesh, knowsTheLeverOfFriction)
   for (std::size_t i = 1; i < mesh.nodes.size(); ++i)
   {
     const MeshNode& node = mesh.nodes[i];
-    const bool pipes = node.part == pipe || std::abs(node.from_bit - mesh.part_bottom[pipe]) < 1e-9;  // its tool joint is the wider
+    const bool pipes =
+        node.part == pipe || std::abs(node.from_bit - mesh.part_bottom[pipe]) < 1e-9;  // its tool joint is the wider
     EXPECT_EQ(node.friction_radius, pipes ? 0.05 : node.part == 1 ? 0.03 : 0.0) << i;
     EXPECT_EQ(mesh.elements[i - 1].friction_radius, node.part == pipe ? 0.05 : node.part == 1 ? 0.03 : 0.0) << i;
   }
@@ -175,7 +177,8 @@ TEST(Mesh, takesSectionsByTheirStiffness)
   const double inertia = pi / 64.0 * (std::pow(pipe.outer_diameter, 4) - std::pow(pipe.inner_diameter, 4));
   Scene given = scene;
   given.string.back().stiffness = {206e9 * area, 206e9 * inertia, 206e9 * inertia / 1.3};
-  given.string.back().polar_inertia = pipe.linear_mass * (std::pow(pipe.outer_diameter, 2) + std::pow(pipe.inner_diameter, 2)) / 8.0;
+  given.string.back().polar_inertia =
+      pipe.linear_mass * (std::pow(pipe.outer_diameter, 2) + std::pow(pipe.inner_diameter, 2)) / 8.0;
   const Mesh tube = build_mesh(scene, 320.0), same = build_mesh(given, 320.0);
   given.string.back().stiffness = {1e8, 2e5, 1.5e5};
   given.string.back().polar_inertia = 0.2;
@@ -184,8 +187,8 @@ TEST(Mesh, takesSectionsByTheirStiffness)
   for (std::size_t e = 0; e < tube.elements.size(); ++e)
   {
     const BeamSection &a = tube.elements[e].section, &b = same.elements[e].section;
-    for (double BeamSection::*k : {&BeamSection::axial, &BeamSection::bending, &BeamSection::bending_near, &BeamSection::bending_far,
-                                   &BeamSection::torsion, &BeamSection::shear})
+    for (double BeamSection::*k : {&BeamSection::axial, &BeamSection::bending, &BeamSection::bending_near,
+                                   &BeamSection::bending_far, &BeamSection::torsion, &BeamSection::shear})
       EXPECT_NEAR(b.*k, a.*k, 1e-12 * a.*k);
     EXPECT_NEAR(same.nodes[e].spin_inertia, tube.nodes[e].spin_inertia, 1e-12 * tube.nodes[e].spin_inertia);
     EXPECT_NEAR(same.nodes[e].tilt_inertia, tube.nodes[e].tilt_inertia, 1e-12 * tube.nodes[e].tilt_inertia);
@@ -197,7 +200,8 @@ TEST(Mesh, takesSectionsByTheirStiffness)
   EXPECT_NEAR(other.nodes.back().spin_inertia, 0.5 * 0.2 * last.length, 1e-9);
 }
 
-// Bit, motor, stabiliser, survey tool, two collars, pipe: each node and element tells whose it is and has that part's own numbers.
+// Bit, motor, stabiliser, survey tool, two collars, pipe: each node and element tells whose it is and has that part's own
+// numbers.
 TEST(Mesh, knowsWhoseEachPlaceIs)
 {
   Scene scene = assembly();
@@ -224,7 +228,9 @@ TEST(Mesh, knowsWhoseEachPlaceIs)
     EXPECT_GT(node.from_bit, bottoms[node.part] + 1e-9);
     EXPECT_LT(node.from_bit, bottoms[node.part + 1] + 1e-9);
     const bool blade = std::abs(node.from_bit - 9.5) < 1e-9;
-    EXPECT_EQ(node.contact.stiffness, node.part == 4 ? 1e9 : blade ? scene.contact.assembly_stiffness : scene.contact.law.stiffness);
+    EXPECT_EQ(node.contact.stiffness, node.part == 4 ? 1e9
+                                      : blade        ? scene.contact.assembly_stiffness
+                                                     : scene.contact.law.stiffness);
     EXPECT_EQ(e.contact.stiffness, node.part == 4 ? 1e9 : scene.contact.law.stiffness);
     EXPECT_EQ(e.outer_diameter, part.outer_diameter);
     EXPECT_NEAR(e.outer_area, pi * std::pow(0.5 * part.outer_diameter, 2), 1e-15);
@@ -232,10 +238,18 @@ TEST(Mesh, knowsWhoseEachPlaceIs)
     const bool blades = std::abs(node.from_bit - 9.5) < 1e-9;
     EXPECT_EQ(node.squeeze_film_damping, blades ? 45.0 : 0.0);
     const bool bend = static_cast<int>(i) == mesh.bend_node;
-    EXPECT_NEAR(node.contact_radius, blades ? 0.106 : node.from_bit > 38.0 && node.joint_end ? 0.084 : 0.5 * part.outer_diameter, 1e-15) << i;
-    const Eigen::Vector3d normal = e.upper_end * Eigen::Vector3d::UnitX(), turned(std::cos(1.25 * degree), std::sin(1.25 * degree), 0.0);
+    EXPECT_NEAR(node.contact_radius,
+                blades                                   ? 0.106
+                : node.from_bit > 38.0 && node.joint_end ? 0.084
+                                                         : 0.5 * part.outer_diameter,
+                1e-15)
+        << i;
+    const Eigen::Vector3d normal = e.upper_end * Eigen::Vector3d::UnitX(),
+                          turned(std::cos(1.25 * degree), std::sin(1.25 * degree), 0.0);
     EXPECT_LT((normal - (bend ? turned : Eigen::Vector3d::UnitX())).norm(), 1e-15) << "towards y";
-    EXPECT_EQ(node.joint, part.joints == 1 ? 0 : static_cast<int>((node.from_bit - bottoms[node.part] - 1e-9) / part.joint_length)) << i;
+    EXPECT_EQ(node.joint,
+              part.joints == 1 ? 0 : static_cast<int>((node.from_bit - bottoms[node.part] - 1e-9) / part.joint_length))
+        << i;
   }
   EXPECT_EQ(mesh.nodes[0].squeeze_film_damping, 123.0);
 }
@@ -271,8 +285,8 @@ TEST(Mesh, elementsAndInertiaAreThoseOfTheTube)
   EXPECT_NEAR(node.diameter, pipe_outer, 1e-12);
   EXPECT_NEAR(node.spin_inertia, steel_density * polar * 5.0, 1e-9);
   EXPECT_NEAR(node.length, 5.0, 1e-9);
-  // Across the axis: half the polar moment, and what is lumped of the cubic beam's consistent mass, whose diagonal 156/420, 4/420 L^2 is
-  // scaled so that the two ends carry the mass (Hinton, Rock and Zienkiewicz 1976); the mud counts where it moves along.
+  // Across the axis: half the polar moment, and what is lumped of the cubic beam's consistent mass, whose diagonal 156/420, 4/420
+  // L^2 is scaled so that the two ends carry the mass (Hinton, Rock and Zienkiewicz 1976); the mud counts where it moves along.
   const double rotary = steel_density * 0.5 * polar * 5.0, moved = 5.0 * (plain_pipe_mass + 1150.0 * (2.0 * bore + pipe_area));
   EXPECT_NEAR(node.tilt_inertia, rotary + 2.0 * 0.5 * moved * 25.0 * 4.0 / 156.0, 1e-9);
   // the bit is a ball on half an element of 5.2 m, of which 0.2 m are its own

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What a mud takes from a string's waves, against the shear layer's own equation and Couette's flow.
 #include <gtest/gtest.h>
 
@@ -25,8 +26,8 @@ MudSpec mud_of(double density, double viscosity)
   return mud;
 }
 
-/// Shear stress in phase with the speed of a wall that swings along itself, over that speed, beside a wall that stands still at distance `gap`:
-/// i rho w u = mu u'' by central differences [Pa s/m].
+/// Shear stress in phase with the speed of a wall that swings along itself, over that speed, beside a wall that stands still at
+/// distance `gap`: i rho w u = mu u'' by central differences [Pa s/m].
 double drag_beside_wall(double density, double viscosity, double gap)
 {
   const int n = 20000;
@@ -57,7 +58,8 @@ TEST(MudDamping, solvesTheEquationOfTheShearLayer)
     for (const double gap : {0.002, 0.01, 0.05})
     {
       const double outer = 0.1651, pipe = mud_damping(mud_of(1300.0, viscosity), outer, 0.0, outer + 2.0 * gap).along;
-      EXPECT_NEAR(pipe, pi * outer * drag_beside_wall(1300.0, viscosity, gap), 1e-4 * pipe) << viscosity << " Pa s, " << gap << " m";
+      EXPECT_NEAR(pipe, pi * outer * drag_beside_wall(1300.0, viscosity, gap), 1e-4 * pipe)
+          << viscosity << " Pa s, " << gap << " m";
     }
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The rules for a string: what each says and where its limit is.
 #include <gtest/gtest.h>
 
@@ -50,15 +51,19 @@ TEST(StringRules, KindsStandInTheirPlaces)
   EXPECT_EQ("string: there is nothing above the bit, needed: at least one pipe or collar", said_of({bit}));
   EXPECT_EQ("string[1].type: a second bit, allowed: one", said_of({bit, bit, fill}));
   EXPECT_EQ("string[2].type: a second mud motor, allowed: one", said_of({bit, motor, motor_bent_at(10.0), fill}));
-  EXPECT_EQ("string[2].type: the mud motor is not next to the bit, allowed: directly above the bit", said_of({bit, collars, motor_bent_at(22.0), fill}));
+  EXPECT_EQ("string[2].type: the mud motor is not next to the bit, allowed: directly above the bit",
+            said_of({bit, collars, motor_bent_at(22.0), fill}));
   EXPECT_EQ("string[2].type: a second mwd, allowed: one", said_of({bit, mwd_part(), mwd_part(), fill}));
-  EXPECT_EQ("string[1].joints: `fill` is not the string's last part, allowed: on the last part only", said_of({bit, fill, collars, fill}));
+  EXPECT_EQ("string[1].joints: `fill` is not the string's last part, allowed: on the last part only",
+            said_of({bit, fill, collars, fill}));
 }
 
 TEST(StringRules, PlacesInsideAPartLieInside)
 {
-  EXPECT_EQ("string[1].bit_to_bend: 0.3 m is outside the motor, allowed: between 0.3 and 8.6 m", said_of({bit, motor_bent_at(0.3), fill}));
-  EXPECT_EQ("string[1].bit_to_bend: 8.7 m is outside the motor, allowed: between 0.3 and 8.6 m", said_of({bit, motor_bent_at(8.7), fill}));
+  EXPECT_EQ("string[1].bit_to_bend: 0.3 m is outside the motor, allowed: between 0.3 and 8.6 m",
+            said_of({bit, motor_bent_at(0.3), fill}));
+  EXPECT_EQ("string[1].bit_to_bend: 8.7 m is outside the motor, allowed: between 0.3 and 8.6 m",
+            said_of({bit, motor_bent_at(8.7), fill}));
   EXPECT_EQ("0 problems", said_of({bit, motor_bent_at(0.4), fill}));
   EXPECT_EQ("0 problems", said_of({bit, motor_bent_at(8.5), fill}));
   PartSpec mwd = mwd_part();
@@ -74,7 +79,8 @@ TEST(StringRules, ARotarySteerablePushesOrPoints)
   PartSpec tool = pointing_part();
   EXPECT_EQ("0 problems", said_of({bit, tool, fill}));
   EXPECT_EQ("0 problems", said_of({bit, pushing_part(), fill}));
-  EXPECT_EQ("string[2].type: a second rotary_steerable, allowed: one", said_of({bit, pointing_part(), pointing_part(1.0 * degree, 4.0), fill}));
+  EXPECT_EQ("string[2].type: a second rotary_steerable, allowed: one",
+            said_of({bit, pointing_part(), pointing_part(1.0 * degree, 4.0), fill}));
   tool.steerable->pad_force = 1e4;
   const std::string one_of_them = "string[1]: both or neither of `pad_force` and `tilt_deg` are given, needed: one of them";
   EXPECT_EQ(one_of_them, said_of({bit, tool, fill}));
@@ -94,7 +100,8 @@ TEST(StringRules, PadsAndPivotLieInsideTheTool)
   tool.steerable->bit_to_pivot = 3.0;
   EXPECT_EQ("string[1].bit_to_pivot: 3 m is outside the tool, allowed: between 0.3 and 3 m", said_of({bit, tool, fill}));
   tool.steerable->bit_to_pivot = 2.995;
-  EXPECT_EQ("string[1].bit_to_pivot: an element of this part is 0.005 m long, allowed: 0.01 m or more", said_of({bit, tool, fill}));
+  EXPECT_EQ("string[1].bit_to_pivot: an element of this part is 0.005 m long, allowed: 0.01 m or more",
+            said_of({bit, tool, fill}));
   tool = pushing_part();
   tool.steerable->bit_to_pads = 0.0;
   EXPECT_EQ("string[1].bit_to_pads: 0 m is outside the tool, allowed: between 0.3 and 4.3 m", said_of({bit, tool, fill}));
@@ -128,17 +135,20 @@ TEST(StringRules, KineticFrictionDoesNotExceedStatic)
 TEST(StringRules, ThePartsBelowTheFillLeaveRoomForIt)
 {
   EXPECT_EQ("0 problems", said_of({bit, collars, fill}, 19.65));
-  EXPECT_EQ("string: the parts below `fill` are 19.1 m long, allowed: up to 0.5 m less than the 19.55 m from the bit to the top drive "
-            "(bit_depth + block_height)",
-            said_of({bit, collars, fill}, 19.55));
+  EXPECT_EQ(
+      "string: the parts below `fill` are 19.1 m long, allowed: up to 0.5 m less than the 19.55 m from the bit to the top drive "
+      "(bit_depth + block_height)",
+      said_of({bit, collars, fill}, 19.55));
 }
 
 // 19.1 m of bit and two collars.
 TEST(StringRules, AStringOfFixedLengthIsRefusedForWhatItLacks)
 {
   const std::string from_bit = " from the bit to the top drive (bit_depth + block_height)";
-  const std::string own = "string[1]: the last part has a fixed length, needed: `joints: fill`, because the string stretches under load";
-  EXPECT_EQ("string: the string is 19.1 m long, needed: 20 m" + from_bit + "; or give the last part `joints: fill`", said_of({bit, collars}, 20.0));
+  const std::string own =
+      "string[1]: the last part has a fixed length, needed: `joints: fill`, because the string stretches under load";
+  EXPECT_EQ("string: the string is 19.1 m long, needed: 20 m" + from_bit + "; or give the last part `joints: fill`",
+            said_of({bit, collars}, 20.0));
   EXPECT_EQ("string: the string is 19.1 m long, needed: 9.6 m" + from_bit, said_of({bit, collars}, 9.6));
   for (const double length : {9.8, 19.1, 19.2}) EXPECT_EQ(own, said_of({bit, collars}, length)) << length;
 }
@@ -155,11 +165,14 @@ TEST(StringRules, TheBitsCentreLiesBelowTheNextNode)
   PartSpec flat = bit;
   flat.length = 0.02;
   PartSpec bent = motor_bent_at(0.115);
-  EXPECT_EQ("string[0].length: the next node is 0.115 m above the bit's face and the bit's centre 0.10795 m, needed: a longer bit, so that "
-            "the centre lies 0.01 m or more below that node",
-            said_of({flat, bent, fill}));
+  EXPECT_EQ(
+      "string[0].length: the next node is 0.115 m above the bit's face and the bit's centre 0.10795 m, needed: a longer bit, so "
+      "that "
+      "the centre lies 0.01 m or more below that node",
+      said_of({flat, bent, fill}));
   bent = motor_bent_at(8.6 - 0.005);
-  EXPECT_EQ("string[1].bit_to_bend: an element of this part is 0.005 m long, allowed: 0.01 m or more", said_of({bit, bent, fill}));
+  EXPECT_EQ("string[1].bit_to_bend: an element of this part is 0.005 m long, allowed: 0.01 m or more",
+            said_of({bit, bent, fill}));
 }
 
 TEST(StringRules, SectionsThatAreGivenOutrightCanBe)
@@ -174,16 +187,24 @@ TEST(StringRules, SectionsThatAreGivenOutrightCanBe)
   EXPECT_EQ("0 problems", with(7e8, most, most / 1.3));
   EXPECT_EQ("0 problems", with(7e8, 1e6, 1e6));
   EXPECT_EQ("0 problems", with(1e9, 1.49e6, 1e6));
-  EXPECT_EQ("string[1]: axial_stiffness, bending_stiffness and torsional_stiffness belong together, needed: all three or none", with(7e8, 1e6, 0.0));
-  EXPECT_EQ("string[1]: axial_stiffness, bending_stiffness and torsional_stiffness belong together, needed: all three or none", with(0.0, 0.0, 1e6));
-  EXPECT_EQ("string[1].bending_stiffness: 2e+07 N m2 is more than possible with axial_stiffness and outer_diameter, allowed: up to " + plain(most) + " N m2",
-            with(7e8, 2e7, 1.5e7));
-  EXPECT_EQ("string[1].torsional_stiffness: 1.1e+06 N m2 does not match bending_stiffness (their ratio is 1 + Poisson's ratio), allowed: " +
-                plain(1e6 / 1.49) + " to 1e+06 N m2",
-            with(7e8, 1e6, 1.1e6));
-  EXPECT_EQ("string[1].torsional_stiffness: 600000 N m2 does not match bending_stiffness (their ratio is 1 + Poisson's ratio), allowed: " +
-                plain(1e6 / 1.49) + " to 1e+06 N m2",
-            with(7e8, 1e6, 6e5));
+  EXPECT_EQ("string[1]: axial_stiffness, bending_stiffness and torsional_stiffness belong together, needed: all three or none",
+            with(7e8, 1e6, 0.0));
+  EXPECT_EQ("string[1]: axial_stiffness, bending_stiffness and torsional_stiffness belong together, needed: all three or none",
+            with(0.0, 0.0, 1e6));
+  EXPECT_EQ(
+      "string[1].bending_stiffness: 2e+07 N m2 is more than possible with axial_stiffness and outer_diameter, allowed: up to " +
+          plain(most) + " N m2",
+      with(7e8, 2e7, 1.5e7));
+  EXPECT_EQ(
+      "string[1].torsional_stiffness: 1.1e+06 N m2 does not match bending_stiffness (their ratio is 1 + Poisson's ratio), "
+      "allowed: " +
+          plain(1e6 / 1.49) + " to 1e+06 N m2",
+      with(7e8, 1e6, 1.1e6));
+  EXPECT_EQ(
+      "string[1].torsional_stiffness: 600000 N m2 does not match bending_stiffness (their ratio is 1 + Poisson's ratio), "
+      "allowed: " +
+          plain(1e6 / 1.49) + " to 1e+06 N m2",
+      with(7e8, 1e6, 6e5));
 }
 
 TEST(StringRules, InertiaAndLeverFitThePart)
@@ -194,9 +215,12 @@ TEST(StringRules, InertiaAndLeverFitThePart)
   part.friction_radius = radius;
   EXPECT_EQ("0 problems", said_of({bit, part}));
   part.polar_inertia = 10.0;
-  EXPECT_EQ("string[1].polar_inertia: 10 kg m2/m is more than possible with linear_mass and the diameters, allowed: up to " + plain(most) + " kg m2/m", said_of({bit, part}));
+  EXPECT_EQ("string[1].polar_inertia: 10 kg m2/m is more than possible with linear_mass and the diameters, allowed: up to " +
+                plain(most) + " kg m2/m",
+            said_of({bit, part}));
   part.polar_inertia = 0.0;
   part.friction_radius = 0.2;
-  EXPECT_EQ("string[1].friction_radius: 0.2 m lies outside the part, allowed: up to half its widest diameter, " + metres(radius), said_of({bit, part}));
+  EXPECT_EQ("string[1].friction_radius: 0.2 m lies outside the part, allowed: up to half its widest diameter, " + metres(radius),
+            said_of({bit, part}));
 }
 }  // namespace test_string_problems

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Means of a run's samples: each of its own field, directions across north, the drilling alone, its last quarter.
 #include <gtest/gtest.h>
 
@@ -99,7 +100,8 @@ TEST(Averages, directionIsThatOfTheMeanVector)
 TEST(Averages, areNoNumbersWithoutSamples)
 {
   const Averages a;
-  for (const double mean : {a.hook_load(), a.wob(), a.rop(), a.bit_position().x(), a.inclination(), a.azimuth()}) EXPECT_TRUE(std::isnan(mean));
+  for (const double mean : {a.hook_load(), a.wob(), a.rop(), a.bit_position().x(), a.inclination(), a.azimuth()})
+    EXPECT_TRUE(std::isnan(mean));
 }
 
 TEST(DrillingRecord, countsTheTimeOnBottomAlone)

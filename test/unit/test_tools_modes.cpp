@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Natural frequencies against closed forms: bars, shafts and beams clamped at the top, with the bit's mass, in tension, cut off.
 #include <gtest/gtest.h>
 
@@ -39,10 +40,16 @@ struct Hung
   BeamSection section;
 
   explicit Hung(const Scene& scene)
-    : rig(build_at_rest(scene)), top(rig.model->top()), length(rig.model->mesh().nodes.back().from_bit - bit_radius), section(rig.model->mesh().elements.back().section)
+      : rig(build_at_rest(scene)),
+        top(rig.model->top()),
+        length(rig.model->mesh().nodes.back().from_bit - bit_radius),
+        section(rig.model->mesh().elements.back().section)
   {
   }
-  double frequency(ModeFamily family, int mode) const { return find_modes(rig, family, top, mode + 1)[static_cast<std::size_t>(mode)].frequency(); }
+  double frequency(ModeFamily family, int mode) const
+  {
+    return find_modes(rig, family, top, mode + 1)[static_cast<std::size_t>(mode)].frequency();
+  }
 };
 
 /// The n-th root of f above 0, from 0: counted by changes of sign.
@@ -73,7 +80,8 @@ struct Beam
     const double a = 0.5 * tension / stiffness, b = std::sqrt(a * a + mass * w * w / stiffness);
     const double p = std::sqrt(a + b), q = std::sqrt(b - a), l = length;
     const double scale = std::exp(-p * l);  // cosh and sinh stay small
-    const double ch = 0.5 * (1.0 + scale * scale), sh = 0.5 * (1.0 - scale * scale), c = scale * std::cos(q * l), s = scale * std::sin(q * l);
+    const double ch = 0.5 * (1.0 + scale * scale), sh = 0.5 * (1.0 - scale * scale), c = scale * std::cos(q * l),
+                 s = scale * std::sin(q * l);
     // y = ch - c and sh/p - s/q, and their derivatives
     const double y[2][4] = {{ch - c, p * sh + q * s, p * p * ch + q * q * c, p * p * p * sh - q * q * q * s},
                             {sh / p - s / q, ch - c, p * sh + q * s, p * p * ch + q * q * c}};
@@ -99,7 +107,8 @@ void expect_beam(const Hung& hung, double tip, double tension)
   ASSERT_EQ(modes.size(), 6u);
   for (int n = 1; n <= 3; ++n)
     for (int of_pair : {0, 1})
-      EXPECT_NEAR(modes[static_cast<std::size_t>(2 * n - 2 + of_pair)].frequency(), beam.frequency(n), 2e-3 * beam.frequency(n)) << n;
+      EXPECT_NEAR(modes[static_cast<std::size_t>(2 * n - 2 + of_pair)].frequency(), beam.frequency(n), 2e-3 * beam.frequency(n))
+          << n;
 }
 }  // namespace
 
@@ -108,7 +117,8 @@ TEST(Modes, ofABarAreAQuarterWave)
   const Hung hung(hanging(300.0, 1e-3));
   const double speed = std::sqrt(hung.section.axial / plain_pipe_mass);
   for (int n = 0; n < 3; ++n)
-    EXPECT_NEAR(hung.frequency(ModeFamily::axial, n), (2 * n + 1) * speed / (4.0 * hung.length), 1e-3 * (2 * n + 1) * speed / (4.0 * hung.length));
+    EXPECT_NEAR(hung.frequency(ModeFamily::axial, n), (2 * n + 1) * speed / (4.0 * hung.length),
+                1e-3 * (2 * n + 1) * speed / (4.0 * hung.length));
 }
 
 TEST(Modes, ofABarWithTheBitsMass)
@@ -145,7 +155,8 @@ TEST(Modes, ofABeam)
   const double unit = std::sqrt(hung.section.bending / plain_pipe_mass) / (2.0 * pi * hung.length * hung.length);
   const std::vector<Mode> modes = find_modes(hung.rig, ModeFamily::lateral, hung.top, 6);
   const double roots[] = {3.5160, 22.034, 61.697};
-  for (int k = 0; k < 6; ++k) EXPECT_NEAR(modes[static_cast<std::size_t>(k)].frequency(), roots[k / 2] * unit, 3e-3 * roots[k / 2] * unit) << k;
+  for (int k = 0; k < 6; ++k)
+    EXPECT_NEAR(modes[static_cast<std::size_t>(k)].frequency(), roots[k / 2] * unit, 3e-3 * roots[k / 2] * unit) << k;
   expect_beam(hung, 1e-3, 0.0);
 }
 
@@ -172,7 +183,8 @@ TEST(Modes, ofAnAssemblyThatIsCutOff)
   EXPECT_EQ(modes[0].shape[0].axial, 1.0);
   EXPECT_EQ(modes[0].shape.back().axial, 0.0);
   for (int i = 0; i < clamp; i += 5)
-    EXPECT_NEAR(modes[0].shape[static_cast<std::size_t>(i)].axial, std::cos(0.5 * pi * (mesh.nodes[static_cast<std::size_t>(i)].from_bit - bit_radius) / length), 1e-3);
+    EXPECT_NEAR(modes[0].shape[static_cast<std::size_t>(i)].axial,
+                std::cos(0.5 * pi * (mesh.nodes[static_cast<std::size_t>(i)].from_bit - bit_radius) / length), 1e-3);
 }
 
 // In a straight vertical string nothing couples: all together are the three families.
@@ -208,6 +220,7 @@ TEST(Modes, weightOnBitLowersTheLateralOnes)
   const Hung pressed(scene);
   EXPECT_NEAR(pressed.rig.statics.forces.wob, 3000.0, 30.0);
   EXPECT_LT(pressed.frequency(ModeFamily::lateral, 0), free);
-  EXPECT_GT(pressed.frequency(ModeFamily::axial, 0), Hung(hanging(20.0, 500.0)).frequency(ModeFamily::axial, 0)) << "and the rock holds the bit";
+  EXPECT_GT(pressed.frequency(ModeFamily::axial, 0), Hung(hanging(20.0, 500.0)).frequency(ModeFamily::axial, 0))
+      << "and the rock holds the bit";
 }
 }  // namespace test_tools_modes

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The runner's tables: each column holds the field that its head names.
 #include <gtest/gtest.h>
 
@@ -152,13 +153,17 @@ TEST(Csv, eachColumnHasItsFieldOfTheTruth)
 
 TEST(Csv, eachFlagHasItsColumn)
 {
-  const std::pair<const char*, bool Truth::*> flags[] = {
-      {"in_slips", &Truth::in_slips},         {"motor_stalled", &Truth::motor_stalled},
-      {"winch_limited", &Truth::winch_limited}, {"top_drive_limited", &Truth::top_drive_limited},
-      {"stop_reached", &Truth::stop_reached}, {"slack_line", &Truth::slack_line},
-      {"relief_valve_open", &Truth::relief_valve_open}, {"over_stress", &Truth::over_stress},
-      {"over_torque", &Truth::over_torque},   {"buckled", &Truth::buckled},
-      {"accuracy_warning", &Truth::accuracy_warning}};
+  const std::pair<const char*, bool Truth::*> flags[] = {{"in_slips", &Truth::in_slips},
+                                                         {"motor_stalled", &Truth::motor_stalled},
+                                                         {"winch_limited", &Truth::winch_limited},
+                                                         {"top_drive_limited", &Truth::top_drive_limited},
+                                                         {"stop_reached", &Truth::stop_reached},
+                                                         {"slack_line", &Truth::slack_line},
+                                                         {"relief_valve_open", &Truth::relief_valve_open},
+                                                         {"over_stress", &Truth::over_stress},
+                                                         {"over_torque", &Truth::over_torque},
+                                                         {"buckled", &Truth::buckled},
+                                                         {"accuracy_warning", &Truth::accuracy_warning}};
   for (const auto& [name, flag] : flags)
   {
     Truth m = numbered_truth();
@@ -206,8 +211,9 @@ TEST(Csv, readingsStandBesideTheTruth)
                    {"reading_top_drive_speed", 307},
                    {"reading_tared", 1},
                    {"reading_lost_gauges", 0}});
-  for (const char* flag : {"in_slips", "stand_count", "brake_set", "winch_limited", "slack_line", "stop_reached", "relief_valve_open", "accuracy_warning",
-                           "top_drive_brake_set", "top_drive_limited", "command_clamped", "commands_timed_out", "over_pull", "pump_tripped", "drive_tripped"})
+  for (const char* flag : {"in_slips", "stand_count", "brake_set", "winch_limited", "slack_line", "stop_reached",
+                           "relief_valve_open", "accuracy_warning", "top_drive_brake_set", "top_drive_limited", "command_clamped",
+                           "commands_timed_out", "over_pull", "pump_tripped", "drive_tripped"})
     expected[std::string("reading_") + flag] = 0;
   expect_row(expected, rows[0]);
 }
@@ -218,7 +224,8 @@ TEST(Csv, aReadingWithoutZeroIsAnEmptyCell)
   number_signals(r, 300.0);
   const File file(std::tmpfile());
   write_csv_row(file.get(), numbered_truth(), &r);
-  EXPECT_NE(std::string::npos, text_of(file.get()).find(",315,,,302,")) << "rop, surface_wob, differential_pressure, dead_line_hook_load";
+  EXPECT_NE(std::string::npos, text_of(file.get()).find(",315,,,302,"))
+      << "rop, surface_wob, differential_pressure, dead_line_hook_load";
   r.tared = true;
   r.surface_wob = 0.0;
   const File zeroed(std::tmpfile());
@@ -290,8 +297,9 @@ TEST(Profile, eachColumnHasItsArray)
   for (const double time : {12.5, 13.5}) write_profile_series_rows(series.get(), time, p);
   const std::vector<Row> at_times = rows_of(series.get());
   ASSERT_EQ(4u, at_times.size());
-  const std::vector<std::string> columns = {"md", "from_bit", "east", "north", "up", "tension", "true_axial_force",
-                                            "torque", "bending_moment", "contact_force", "contact_side_deg"};
+  const std::vector<std::string> columns = {
+      "md",     "from_bit",       "east",          "north",           "up", "tension", "true_axial_force",
+      "torque", "bending_moment", "contact_force", "contact_side_deg"};
   for (int i = 0; i < 2; ++i)
   {
     Row expected;

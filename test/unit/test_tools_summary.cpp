@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The runner's summary: each number under the name of what it is.
 #include <gtest/gtest.h>
 
@@ -122,10 +123,15 @@ TEST(Summary, sharesOfCostAreOfTheProfiledTime)
   RunRecord record;
   const Simulator simulator = after_two_seconds(drilling_scene(), record, false);
   // in the order of the sum
-  const std::pair<const char*, Cost> costs[] = {{"kinematics", Cost::kinematics},     {"elements", Cost::elements},
-                                                {"guided", Cost::guided},             {"inertia", Cost::inertia},           {"contact", Cost::contact},
-                                                {"bit", Cost::bit},                   {"rig", Cost::rig},
-                                                {"linear_solve", Cost::linear_solve}, {"rock_penetration", Cost::rock_penetration},
+  const std::pair<const char*, Cost> costs[] = {{"kinematics", Cost::kinematics},
+                                                {"elements", Cost::elements},
+                                                {"guided", Cost::guided},
+                                                {"inertia", Cost::inertia},
+                                                {"contact", Cost::contact},
+                                                {"bit", Cost::bit},
+                                                {"rig", Cost::rig},
+                                                {"linear_solve", Cost::linear_solve},
+                                                {"rock_penetration", Cost::rock_penetration},
                                                 {"other", Cost::other}};
   double total = 0.0;
   for (const auto& [name, cost] : costs) total += simulator.statistics().costs.seconds(cost);
@@ -154,21 +160,21 @@ TEST(Summary, readingsAreTheInstruments)
   const Simulator simulator = after_two_seconds(steered_scene(), record, false);
   const Readings& r = simulator.readings();
   Numbers expected = {{"hook_load", r.hook_load},
-                            {"dead_line_hook_load", r.dead_line_hook_load},
-                            {"hook_load_string", r.hook_load_string},
-                            {"torque", r.torque},
-                            {"stand_pipe_pressure", r.stand_pipe_pressure},
-                            {"differential_pressure", r.differential_pressure},
-                            {"flow", r.flow},
-                            {"block_height", r.block_height},
-                            {"bit_depth", r.bit_depth},
-                            {"hole_depth", r.hole_depth},
-                            {"rop", r.rop},
-                            {"surface_wob", r.surface_wob},
-                            {"mwd_md", r.mwd.md},
-                            {"mwd_inclination_deg", r.mwd.inclination / degree},
-                            {"mwd_azimuth_deg", r.mwd.azimuth / degree},
-                            {"toolface_deg", r.toolface.toolface / degree}};
+                      {"dead_line_hook_load", r.dead_line_hook_load},
+                      {"hook_load_string", r.hook_load_string},
+                      {"torque", r.torque},
+                      {"stand_pipe_pressure", r.stand_pipe_pressure},
+                      {"differential_pressure", r.differential_pressure},
+                      {"flow", r.flow},
+                      {"block_height", r.block_height},
+                      {"bit_depth", r.bit_depth},
+                      {"hole_depth", r.hole_depth},
+                      {"rop", r.rop},
+                      {"surface_wob", r.surface_wob},
+                      {"mwd_md", r.mwd.md},
+                      {"mwd_inclination_deg", r.mwd.inclination / degree},
+                      {"mwd_azimuth_deg", r.mwd.azimuth / degree},
+                      {"toolface_deg", r.toolface.toolface / degree}};
   nlohmann::json found = summary_of(simulator, record, true)["final_readings"];
   for (const auto& [name, value] : expected) EXPECT_NE(0.0, value) << name << ": nought could be anything's";
   EXPECT_EQ(r.tared, found["tared"].get<bool>());
@@ -265,7 +271,9 @@ TEST(Summary, inUnitsOfTheOilfield)
   const std::string text = testing::internal::GetCapturedStdout();
   EXPECT_NE(std::string::npos, text.find(", hole 328.08 ft\n")) << text;
   // 123.4 kN, 5.67 kN m, 8.9 kN, 36 m/h
-  EXPECT_NE(std::string::npos, text.find("hook load 27.7 klbf, torque 4.18 kft.lbf, WOB 2.0 klbf, ROP 118.1 ft/h, bit 60.0 rpm\n")) << text;
+  EXPECT_NE(std::string::npos,
+            text.find("hook load 27.7 klbf, torque 4.18 kft.lbf, WOB 2.0 klbf, ROP 118.1 ft/h, bit 60.0 rpm\n"))
+      << text;
   EXPECT_NE(std::string::npos, text.find(" kft.lbf\n", text.find("the bit was not on bottom; hook load "))) << text;
 }
 
@@ -317,7 +325,9 @@ TEST(Summary, saysWhichLimitsWerePassed)
   print_summary(simulator, Elapsed{9.0, 0.5}, record, Printed("si"));
   const std::string text = testing::internal::GetCapturedStdout();
   EXPECT_NE(std::string::npos, text.find("limit passed, 2.0 to 2.0 s: the lines carry nothing (slack_line)\n")) << text;
-  EXPECT_NE(std::string::npos, text.find("limit passed, 3.0 to 4.0 s: pipe beyond its yield strength, 1.50 times that 80 m above the bit (over_stress)\n"))
+  EXPECT_NE(
+      std::string::npos,
+      text.find("limit passed, 3.0 to 4.0 s: pipe beyond its yield strength, 1.50 times that 80 m above the bit (over_stress)\n"))
       << text;
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The rules for a survey and for a hole's sections: what each says, and where its limit is.
 #include <gtest/gtest.h>
 
@@ -19,7 +20,8 @@ namespace
 std::vector<std::string> said_of(const std::vector<SurveyStation>& stations)
 {
   std::vector<std::string> all;
-  for (const SurveyProblem& problem : survey_problems(stations)) all.push_back(std::to_string(problem.station) + ": " + problem.text);
+  for (const SurveyProblem& problem : survey_problems(stations))
+    all.push_back(std::to_string(problem.station) + ": " + problem.text);
   return all;
 }
 
@@ -43,26 +45,34 @@ TEST(SurveyChecks, EachRuleSaysWhereAndWhat)
   EXPECT_EQ(Texts({"1: md -1 m is out of range, allowed: 0 to 20000 m"}), said_of_second({-1.0, 0.0, 0.0}));
   EXPECT_EQ(Texts({"1: md 20001 m is out of range, allowed: 0 to 20000 m"}), said_of_second({20001.0, 0.0, 0.0}));
   EXPECT_EQ(Texts({"1: inclination -1 deg is out of range, allowed: 0 to 180 deg"}), said_of_second({10.0, -1.0 * degree, 0.0}));
-  EXPECT_EQ(Texts({"1: inclination 181 deg is out of range, allowed: 0 to 180 deg"}), said_of_second({10.0, 181.0 * degree, 0.0}));
+  EXPECT_EQ(Texts({"1: inclination 181 deg is out of range, allowed: 0 to 180 deg"}),
+            said_of_second({10.0, 181.0 * degree, 0.0}));
   EXPECT_EQ(Texts({"1: azimuth 361 deg is out of range, allowed: -360 to 360 deg"}), said_of_second({10.0, 0.0, 361.0 * degree}));
-  EXPECT_EQ(Texts({"1: azimuth -361 deg is out of range, allowed: -360 to 360 deg"}), said_of_second({10.0, 0.0, -361.0 * degree}));
+  EXPECT_EQ(Texts({"1: azimuth -361 deg is out of range, allowed: -360 to 360 deg"}),
+            said_of_second({10.0, 0.0, -361.0 * degree}));
   EXPECT_EQ(Texts({"1: md 0 m is not deeper than the station before it, 0 m"}), said_of_second({0.0, 0.0, 0.0}));
   EXPECT_EQ(Texts({"1: md 0.005 m is too close to the station before it, 0 m, allowed: 0.01 m or more between stations"}),
             said_of_second({0.005, 0.0, 0.0}));
   EXPECT_EQ(Texts({"1: the direction is opposite to that of the station before it, allowed: a turn of up to 179.9 deg"}),
             said_of_second({10.0, 180.0 * degree, 0.0}));
-  EXPECT_EQ(Texts({"0: the first md is 1 m, needed: 0 (the rotary table), or its position: tie_in, in a CSV file north_m, east_m, tvd_m"}), said_of({{1.0, 0.0, 0.0}, {10.0, 0.0, 0.0}}));
+  EXPECT_EQ(Texts({"0: the first md is 1 m, needed: 0 (the rotary table), or its position: tie_in, in a CSV file north_m, "
+                   "east_m, tvd_m"}),
+            said_of({{1.0, 0.0, 0.0}, {10.0, 0.0, 0.0}}));
 }
 
 // Built up past the horizontal until it comes out of the ground; at 90 deg from the table it only leaves it.
 TEST(SurveyChecks, AHoleLiesBelowTheTable)
 {
-  const std::vector<SurveyStation> rising = {{0.0, 0.0, 0.0}, {1000.0, 95.0 * degree, 0.7}, {2000.0, 120.0 * degree, 0.7}, {3000.0, 175.0 * degree, 0.7}};
+  const std::vector<SurveyStation> rising = {
+      {0.0, 0.0, 0.0}, {1000.0, 95.0 * degree, 0.7}, {2000.0, 120.0 * degree, 0.7}, {3000.0, 175.0 * degree, 0.7}};
   const Texts said = said_of(rising);
   ASSERT_EQ(1u, said.size());
   const Survey to_the_top({rising.begin(), rising.begin() + 3});
-  const double height = to_the_top.station(2).position.z() + chord_of_arc(to_the_top.station(2).tangent, tangent_from(175.0 * degree, 0.7), 1000.0).z();
-  EXPECT_EQ("3: lies " + metres(0.01 * std::round(100.0 * height)) + " above the rotary table, allowed: below it; is an inclination or a depth wrong?", said[0]);
+  const double height = to_the_top.station(2).position.z() +
+                        chord_of_arc(to_the_top.station(2).tangent, tangent_from(175.0 * degree, 0.7), 1000.0).z();
+  EXPECT_EQ("3: lies " + metres(0.01 * std::round(100.0 * height)) +
+                " above the rotary table, allowed: below it; is an inclination or a depth wrong?",
+            said[0]);
   EXPECT_EQ(Texts(), said_of({rising.begin(), rising.begin() + 3}));
   EXPECT_EQ(Texts(), said_of({{0.0, 90.0 * degree, 0.0}, {10.0, 90.0 * degree, 0.0}}));
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -261,15 +262,17 @@ TEST(WellExtension, FrictionFollowsTheRock)
   EXPECT_NEAR(hole.at(102.5).friction, 0.35, 1e-12);
   EXPECT_NEAR(hole.locate(102.5 * axis, -1).friction, 0.35, 1e-12);
   // from one value to the next along one interval, without a jump
-  for (double md = 100.0; md < 102.9; md += 1e-3) ASSERT_LE(std::abs(hole.at(md + 1e-3).friction - hole.at(md).friction), 0.1 * 1.02e-2) << md;
+  for (double md = 100.0; md < 102.9; md += 1e-3)
+    ASSERT_LE(std::abs(hole.at(md + 1e-3).friction - hole.at(md).friction), 0.1 * 1.02e-2) << md;
 
   Wellbore again = start;
   while (again.hole_depth() < 103.0) again.extend(advance * axis, axis);
   expect_identical(again, hole);
 }
 
-// Rock does not grow back: the plane turns by no more than what is drilled over the bit's radius, so that its rim never rises. The bit
-// of a string that is being wound up turns by 1e-150 rad/s before the torsional wave arrives; the squares of such moves underflow.
+// Rock does not grow back: the plane turns by no more than what is drilled over the bit's radius, so that its rim never rises.
+// The bit of a string that is being wound up turns by 1e-150 rad/s before the torsional wave arrives; the squares of such moves
+// underflow.
 TEST(WellExtension, BottomTurnsNoFasterThanItRecedes)
 {
   for (double length = 1e-320; length < 1e-3; length *= 3.0)

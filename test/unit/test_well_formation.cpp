@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -157,7 +158,8 @@ TEST(Formation, SlopeIsTheDerivative)
   }
 }
 
-// Below an exponent of 1 the slope grows without end towards the threshold; it is held at its value 1 N above it. From 1 on it is not.
+// Below an exponent of 1 the slope grows without end towards the threshold; it is held at its value 1 N above it. From 1 on it is
+// not.
 TEST(Formation, SlopeIsBoundedWithinANewtonOfTheThreshold)
 {
   FormationLayer rock = main_job_rock();

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -62,8 +63,9 @@ class LocateIn : public testing::TestWithParam<WellSpec>
 };
 
 // Near its minimum the squared distance (of size 0.1 m2, known to 1e-13 m2 at coordinates of 1 km) is flat to md differences of
-// 1e-6 m and less, where the distance itself does not change. At P alone, where the newly drilled interval begins a little sideways and
-// turned, the plane rule and the least distance may choose differently: by less than radius times turn, 0.6 m * 3e-4.
+// 1e-6 m and less, where the distance itself does not change. At P alone, where the newly drilled interval begins a little
+// sideways and turned, the plane rule and the least distance may choose differently: by less than radius times turn, 0.6 m *
+// 3e-4.
 TEST_P(LocateIn, AgreesWithBruteForceWithinTwoRadii)
 {
   const Wellbore hole = drilled_on(GetParam(), 0.35);
@@ -188,8 +190,8 @@ TEST(WellLocate, SlopesAreDerivatives)
     EXPECT_NEAR(closest.friction, hole.at(md).friction, 1e-7) << md;
   }
 }
-// From anywhere and with any hint: a radius and a friction that the hole has somewhere, not one that its slope in a millimetre of ledge
-// would reach metres away.
+// From anywhere and with any hint: a radius and a friction that the hole has somewhere, not one that its slope in a millimetre of
+// ledge would reach metres away.
 TEST(WellLocate, RadiusAndFrictionAreOnesOfTheHole)
 {
   WellSpec spec;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Where the hole's nodes are placed, and the cubic and its box between two of them.
 #include <gtest/gtest.h>
 
@@ -48,7 +49,8 @@ TEST(PlaceNodes, StandAtStationsAndWhereASectionEnds)
 TEST(PlaceNodes, TheBitsDiameterNeedsANodeOnlyWhereItDiffers)
 {
   const WellSpec spec = two_sections(50.0, 30.0);
-  for (double bit_radius : {0.1, 0.125 + 1e-8, 0.125 - 1e-8}) expect_nodes(spec, bit_radius, {0.0, 30.0, 50.0, 50.001, 99.999, 100.0});
+  for (double bit_radius : {0.1, 0.125 + 1e-8, 0.125 - 1e-8})
+    expect_nodes(spec, bit_radius, {0.0, 30.0, 50.0, 50.001, 99.999, 100.0});
   expect_nodes(spec, 0.125 + 1e-10, {0.0, 30.0, 50.0, 50.001, 100.0});
 }
 
@@ -67,7 +69,8 @@ TEST(PlaceNodes, ASectionThatEndsAtTheBottomGivesWayToNone)
   expect_nodes(two_sections(99.9979, 30.0), 0.125, {0.0, 30.0, 99.9979, 99.9989, 100.0});
 }
 
-// By hand: an arc of 90 deg in h = 12.2 m errs by (pi/2)^3 h/384 / n^4 in n pieces: 50 um at n = 7.04, so eight. Straight holes need one.
+// By hand: an arc of 90 deg in h = 12.2 m errs by (pi/2)^3 h/384 / n^4 in n pieces: 50 um at n = 7.04, so eight. Straight holes
+// need one.
 TEST(PlaceNodes, AnArcGetsAsManyPiecesAsItNeeds)
 {
   WellSpec spec = straight_well(200.0);

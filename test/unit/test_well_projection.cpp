@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // From the last station to the bottom: the same direction, or the last interval's circle, against closed forms.
 #include "drill_rig_sim/well/projection.h"
 
@@ -36,7 +37,9 @@ TEST(WellProjection, StraightGoesOnInTheLastDirection)
   ASSERT_EQ(3u, well.survey.size());
   const Survey survey(well.survey);
   const Eigen::Vector3d step = survey.station(2).position - survey.station(1).position;
-  EXPECT_LT((step - 20.0 * Eigen::Vector3d(0.5 * std::sin(60 * degree), 0.5 * std::cos(60 * degree), -std::cos(30 * degree))).norm(), 1e-9);
+  EXPECT_LT(
+      (step - 20.0 * Eigen::Vector3d(0.5 * std::sin(60 * degree), 0.5 * std::cos(60 * degree), -std::cos(30 * degree))).norm(),
+      1e-9);
 }
 
 TEST(WellProjection, CurvatureGoesOnWithBuildAndTurn)
@@ -78,7 +81,9 @@ TEST(WellProjection, CurvatureStaysOnTheCircle)
 TEST(WellProjection, OnlyWhereItIsAskedForAndUpToAStand)
 {
   const std::vector<SurveyStation> stations = {{0, 0, 0}, in_degrees(300, 10, 60)};
-  for (const auto& [depth, project] : {std::pair<double, Projection>{310.0, Projection::none}, {331.0, Projection::straight}, {300.0, Projection::straight},
+  for (const auto& [depth, project] : {std::pair<double, Projection>{310.0, Projection::none},
+                                       {331.0, Projection::straight},
+                                       {300.0, Projection::straight},
                                        {290.0, Projection::curvature}})
   {
     WellSpec well = well_of(stations, depth, project);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The second correction of the drilled path: chords, the filter that they are, and what counts the interval.
 #include <gtest/gtest.h>
 
@@ -44,8 +45,9 @@ TEST(StageTwo, StageTwoTakesTheChord)
   EXPECT_NEAR((hole.hole_depth() - 730.0) / (20000 * advance), 1.0, 1e-6);
 }
 
-// The raw path swings by 2 pi r/p = 1.05 deg; the corrected one by at most 4 r/L2 = 0.07 deg, and the curve between too. The bottom's
-// plane follows the raw path as fast as the bit can cut it: by 1 rad in a bit radius, on a circle of p/(2 pi R) = 0.60 deg.
+// The raw path swings by 2 pi r/p = 1.05 deg; the corrected one by at most 4 r/L2 = 0.07 deg, and the curve between too. The
+// bottom's plane follows the raw path as fast as the bit can cut it: by 1 rad in a bit radius, on a circle of p/(2 pi R) = 0.60
+// deg.
 TEST(StageTwo, HelixBecomesSmooth)
 {
   Wellbore hole(straight_well(500.0), every_metres(0.1), bit_radius);
@@ -65,8 +67,8 @@ TEST(StageTwo, HelixBecomesSmooth)
   double corrected_swing = 0.0;
   for (const double md : depths(500.0, hole.hole_depth(), 1e-3))
     corrected_swing = std::max(corrected_swing, hole.at(md).tangent.cross(axis).norm());
-  std::printf("swing: raw %.3f deg, corrected %.4f deg, newly drilled interval %.4f deg\n", raw_swing / degree, corrected_swing / degree,
-              end_swing / degree);
+  std::printf("swing: raw %.3f deg, corrected %.4f deg, newly drilled interval %.4f deg\n", raw_swing / degree,
+              corrected_swing / degree, end_swing / degree);
   EXPECT_LT(corrected_swing, 4.0 * helix_radius / 0.1);
   EXPECT_LT(end_swing, 4.0 * helix_radius / 0.1);
 }
@@ -140,7 +142,8 @@ TEST(StageTwo, CountingStepsTiesTheFilterToTheStep)
 TEST(StageTwo, CountedStepsLeaveTheLengthAside)
 {
   const Vector3d axis = tangent_from(0.9, 5.2);
-  Wellbore hole(straight_well(500.0, 0.9, 5.2), {0.1, 5}, bit_radius), other(straight_well(500.0, 0.9, 5.2), {7.0, 5}, bit_radius);
+  Wellbore hole(straight_well(500.0, 0.9, 5.2), {0.1, 5}, bit_radius),
+      other(straight_well(500.0, 0.9, 5.2), {7.0, 5}, bit_radius);
   const Vector3d aside = 1e-3 * (axis + 0.2 * Vector3d::UnitZ()).normalized();
   for (int k = 0; k < 12; ++k)
   {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -51,7 +52,8 @@ TEST(Directions, AzimuthNeedsNoUnitVector)
   EXPECT_EQ(0.0, azimuth_of({1e-10, 1e-10, -1e4})) << "vertical to round-off";
 }
 
-// Along the vertical the high side is north, along north the north side is up; a hair beside them they are what they are elsewhere.
+// Along the vertical the high side is north, along north the north side is up; a hair beside them they are what they are
+// elsewhere.
 TEST(Directions, EachSideHasAnOtherWhereItWouldPointAlongTheHole)
 {
   EXPECT_EQ(Vector3d::UnitY(), high_side(-Vector3d::UnitZ()));
@@ -60,7 +62,8 @@ TEST(Directions, EachSideHasAnOtherWhereItWouldPointAlongTheHole)
   EXPECT_LT((high_side(tangent_from(60 * degree, 0.0)) - Vector3d(0, 0.5, std::sqrt(0.75))).norm(), 1e-15);
   EXPECT_LT((north_side(tangent_from(60 * degree, 90 * degree)) - Vector3d::UnitY()).norm(), 1e-15);
   for (double lean : {1e-3, 1e-7, 1e-10})  // to the east: up is east of up
-    EXPECT_LT((high_side(tangent_from(lean, 90 * degree)) - Vector3d(std::cos(lean), 0.0, std::sin(lean))).norm(), 1e-15 / lean) << lean;
+    EXPECT_LT((high_side(tangent_from(lean, 90 * degree)) - Vector3d(std::cos(lean), 0.0, std::sin(lean))).norm(), 1e-15 / lean)
+        << lean;
   const Vector3d nearly_down(0.0, 1e-13, -1.0);
   EXPECT_NEAR(high_side(nearly_down).dot(nearly_down), 0.0, 1e-16) << "square to the hole to round-off";
 }
@@ -272,18 +275,25 @@ TEST(HoleNodes, EachRuleForAHoleSaysWhereAndWhat)
     return problems.size() == 1 ? problems[0].key + ": " + problems[0].text : std::to_string(problems.size()) + " problems";
   };
   EXPECT_EQ("0 problems", problem_with([](WellSpec&) {}));
-  EXPECT_EQ("well.hole_depth: 731 m is deeper than the survey, allowed: up to its last station, 730 m; well.project: straight or curvature extends it by up to 30.5 m",
-            problem_with([](WellSpec& w) { w.hole_depth = 731.0; }));
+  EXPECT_EQ(
+      "well.hole_depth: 731 m is deeper than the survey, allowed: up to its last station, 730 m; well.project: straight or "
+      "curvature extends it by up to 30.5 m",
+      problem_with([](WellSpec& w) { w.hole_depth = 731.0; }));
   EXPECT_EQ("well.hole_depth: must be above 0 (got 0 m)", problem_with([](WellSpec& w) { w.hole_depth = 0.0; }));
-  EXPECT_EQ("well.sections: the list is empty, needed: at least one section", problem_with([](WellSpec& w) { w.sections.clear(); }));
-  EXPECT_EQ("well.sections[1].diameter: must be above 0 (got 0 m)", problem_with([](WellSpec& w) { w.sections[1].diameter = 0.0; }));
-  EXPECT_EQ("well.sections[0].friction: must be 0 or more (got -0.1)", problem_with([](WellSpec& w) { w.sections[0].friction = -0.1; }));
-  EXPECT_EQ("well.sections[0].static_ratio: must be 1 or more (got 0.9)", problem_with([](WellSpec& w) { w.sections[0].static_ratio = 0.9; }));
+  EXPECT_EQ("well.sections: the list is empty, needed: at least one section",
+            problem_with([](WellSpec& w) { w.sections.clear(); }));
+  EXPECT_EQ("well.sections[1].diameter: must be above 0 (got 0 m)",
+            problem_with([](WellSpec& w) { w.sections[1].diameter = 0.0; }));
+  EXPECT_EQ("well.sections[0].friction: must be 0 or more (got -0.1)",
+            problem_with([](WellSpec& w) { w.sections[0].friction = -0.1; }));
+  EXPECT_EQ("well.sections[0].static_ratio: must be 1 or more (got 0.9)",
+            problem_with([](WellSpec& w) { w.sections[0].static_ratio = 0.9; }));
   EXPECT_EQ("well.sections[1].stribeck_speed: must be above 0 (got 0 m/s)",
             problem_with([](WellSpec& w) { w.sections[1].stribeck_speed = 0.0; }));
   EXPECT_EQ("well.sections[1].to: the last section ends at 700 m, needed: down to hole_depth, 730 m",
             problem_with([](WellSpec& w) { w.sections[1].to = 700.0; }));
-  EXPECT_EQ("well.sections[0].to: 0 m is not below the begin of the section, 0 m", problem_with([](WellSpec& w) { w.sections[0].to = 0.0; }));
+  EXPECT_EQ("well.sections[0].to: 0 m is not below the begin of the section, 0 m",
+            problem_with([](WellSpec& w) { w.sections[0].to = 0.0; }));
 }
 
 TEST(HoleNodes, RefusesSectionsThatDoNotFit)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A survey that begins below the rotary table: the hole above its first station, and where the stations then lie.
 #include <gtest/gtest.h>
 
@@ -49,7 +50,8 @@ Survey tied_in(const TieIn& tie_in, std::vector<SurveyStation> survey)
 TEST(TieIn, AVerticalHoleIsALine)
 {
   const Survey survey = tied_in({0.0, 0.0, 100.0}, {{100.0, 0.0, 0.3}, {150.0, 0.0, 0.0}});
-  for (const double md : {10.0, 49.0, 77.0, 100.0, 130.0}) EXPECT_NEAR((survey.at(md).position - Vector3d(0.0, 0.0, -md)).norm(), 0.0, 1e-12);
+  for (const double md : {10.0, 49.0, 77.0, 100.0, 130.0})
+    EXPECT_NEAR((survey.at(md).position - Vector3d(0.0, 0.0, -md)).norm(), 0.0, 1e-12);
 }
 
 // Two arcs of one curvature that meet half-way are one arc: R (1 - cos 30 deg) to the east, R sin 30 deg down.
@@ -61,7 +63,9 @@ TEST(TieIn, WhatLiesOnAnArcIsAnArc)
   for (const double share : {0.2, 0.5, 0.8, 1.0})
   {
     const double a = share * angle;
-    EXPECT_NEAR((survey.at(radius * a).position - Vector3d(radius * (1.0 - std::cos(a)), 0.0, -radius * std::sin(a))).norm(), 0.0, 1e-9) << share;
+    EXPECT_NEAR((survey.at(radius * a).position - Vector3d(radius * (1.0 - std::cos(a)), 0.0, -radius * std::sin(a))).norm(), 0.0,
+                1e-9)
+        << share;
   }
 }
 
@@ -69,7 +73,8 @@ TEST(TieIn, WhatLiesOnAnArcIsAnArc)
 TEST(TieIn, AHoleThatIsNotTheSmoothestHasItsLength)
 {
   const double azimuth = 40.0 * degree, held = 35.0 * degree;
-  const Survey drilled({{0.0, 0.0, 0.0}, {500.0, 0.0, azimuth}, {850.0, held, azimuth}, {2500.0, held, azimuth}, {2600.0, held, azimuth}});
+  const Survey drilled(
+      {{0.0, 0.0, 0.0}, {500.0, 0.0, azimuth}, {850.0, held, azimuth}, {2500.0, held, azimuth}, {2600.0, held, azimuth}});
   const Survey survey = tied_in(tie_in_at(drilled.station(3).position), {{2500.0, held, azimuth}, {2600.0, held, azimuth}});
   for (const double md : {2500.0, 2600.0}) EXPECT_NEAR((survey.at(md).position - drilled.at(md).position).norm(), 0.0, 1e-6);
   EXPECT_NEAR((survey.at(2500.0).tangent - drilled.at(2500.0).tangent).norm(), 0.0, 1e-12);
@@ -86,7 +91,8 @@ TEST(TieIn, MeasuredDepthsAreRounded)
 
 TEST(TieIn, WhatCannotBeIsRefused)
 {
-  EXPECT_EQ("the first station is 101 m from the rotary table, allowed: up to its measured depth, 100 m", refusal({0.0, 0.0, 101.0}, {100.0, 0.0, 0.0}));
+  EXPECT_EQ("the first station is 101 m from the rotary table, allowed: up to its measured depth, 100 m",
+            refusal({0.0, 0.0, 101.0}, {100.0, 0.0, 0.0}));
   EXPECT_EQ("the first station is 111.803 m from the rotary table, allowed: up to its measured depth, 100 m",
             refusal({50.0, 0.0, 100.0}, {100.0, 0.0, 0.0}));
   const std::string sharp =
@@ -97,9 +103,11 @@ TEST(TieIn, WhatCannotBeIsRefused)
   EXPECT_EQ(sharp, refusal({50.0, 0.0, 86.602}, {100.0, 30.0 * degree, 0.0})) << "a slant hole from the surface begins at 0";
   EXPECT_EQ("tvd 0 m is not below the rotary table, allowed: above 0", refusal({0.0, 0.0, 0.0}, {100.0, 0.0, 0.0}));
   EXPECT_EQ("the first md is 0.005 m, allowed: 0.01 m or more", refusal({0.0, 0.0, 0.005}, {0.005, 0.0, 0.0}));
-  EXPECT_EQ("the first station is at 0, the rotary table; allowed: only with a first station below it", refusal({0.0, 0.0, 10.0}, {0.0, 0.0, 0.0}));
+  EXPECT_EQ("the first station is at 0, the rotary table; allowed: only with a first station below it",
+            refusal({0.0, 0.0, 10.0}, {0.0, 0.0, 0.0}));
   const double nan = std::nan("");
-  for (const TieIn& none : {TieIn{nan, 0.0, 100.0}, TieIn{0.0, nan, 100.0}, TieIn{0.0, 0.0, nan}}) EXPECT_NE("", refusal(none, {100.0, 0.0, 0.0}));
+  for (const TieIn& none : {TieIn{nan, 0.0, 100.0}, TieIn{0.0, nan, 100.0}, TieIn{0.0, 0.0, nan}})
+    EXPECT_NE("", refusal(none, {100.0, 0.0, 0.0}));
 }
 
 struct ListedWell

@@ -1,4 +1,6 @@
-// A hole turns no faster than the body that follows the bit lets it: the limit by hand, a way within it untouched, one beyond it held back.
+// SPDX-License-Identifier: BSD-3-Clause
+// A hole turns no faster than the body that follows the bit lets it: the limit by hand, a way within it untouched, one beyond it
+// held back.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -41,8 +43,8 @@ double angle_between(const Vector3d& a, const Vector3d& b)
 }
 }  // namespace
 
-// A motor of 165 mm in a hole of 215.9 mm, bent 2 m above the face: c = 25.45 mm, L = 2 - 0.10795 m. Without a sleeve the middle: 12 c/L^2. A sleeve of
-// 209.55 mm leaves 3.175 mm at s = 0.79205 m: 2 (3.175 + 25.45 s/L)/(s (L - s)) mm.
+// A motor of 165 mm in a hole of 215.9 mm, bent 2 m above the face: c = 25.45 mm, L = 2 - 0.10795 m. Without a sleeve the middle:
+// 12 c/L^2. A sleeve of 209.55 mm leaves 3.175 mm at s = 0.79205 m: 2 (3.175 + 25.45 s/L)/(s (L - s)) mm.
 TEST(TurnLimit, isThatOfTheMotorBelowItsBend)
 {
   const Scene scene = motor_drilling_scene(1.0);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_TOP_DRIVE_FIXTURES_H
 #define DRILL_RIG_SIM_TOP_DRIVE_FIXTURES_H
 
@@ -32,7 +33,8 @@ inline TopDriveSetpoint brake_command()
 }
 
 /// A rotor at `speed` [rad/s] whose loop has gathered `integral` [rad], its meter and gear twisted [rad].
-inline DriveState running(double speed, double integral = 0.0, double meter_twist = 0.0, double gear_twist = 0.0, bool braked = false)
+inline DriveState running(double speed, double integral = 0.0, double meter_twist = 0.0, double gear_twist = 0.0,
+                          bool braked = false)
 {
   DriveState out;
   out.speed = out.reference = speed;
@@ -79,11 +81,11 @@ private:
 };
 
 /// Checks the equation of motion and the derivative at a stage, and returns the result.
-inline RotorResult check(const TopDriveSpec& spec, const TopDriveSetpoint& command, const DriveState& start, const RotorStage& stage,
-                  double top)
+inline RotorResult check(const TopDriveSpec& spec, const TopDriveSetpoint& command, const DriveState& start,
+                         const RotorStage& stage, double top)
 {
   const RotorResult r = solve_rotor(spec, command, start, stage, top);
-  
+
   const double acceleration = stage.da_du * r.increment + stage.acceleration_0;
   EXPECT_NEAR(spec.inertia * acceleration, r.motor_torque + r.friction - r.meter_torque, 1e-8 * (std::abs(r.meter_torque) + 1e4));
   EXPECT_NEAR(r.meter_torque, spec.meter_stiffness * (start.meter_twist + r.increment - top), 1e-8);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_TEST_WELL_FIXTURES_H
 #define DRILL_RIG_SIM_TEST_WELL_FIXTURES_H
 
@@ -40,7 +41,8 @@ inline WellSpec crooked_well()
 {
   WellSpec well;
   double md = 0.0;
-  for (int i = 0; i <= 60; ++i, md += 27.0) well.survey.push_back({md, std::min(1.8 * i, 100.0) * degree, (7 * i % 360) * degree});
+  for (int i = 0; i <= 60; ++i, md += 27.0)
+    well.survey.push_back({md, std::min(1.8 * i, 100.0) * degree, (7 * i % 360) * degree});
   well.hole_depth = 1600.0;
   well.sections = {{500.0, 0.4445, 0.2}, {1100.0, 0.3112, 0.3}, {1600.0, 0.2159, 0.25}};
   return well;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_ACCURACY_MEASURED_ERROR_H
 #define DRILL_RIG_SIM_ACCURACY_MEASURED_ERROR_H
 
@@ -18,11 +19,13 @@ struct CompanionTraits
 
 /// Of numerics.companion.
 ///
-/// Where errors fall with the power p of elements and steps, the run's error is 1/(1 - 1/2^p) of its difference to the finer companion: 1.33 for the second
-/// order of beams and steps, 1.14 for p = 3; and 1/(2^p - 1) of its difference to the coarser one. Impacts, fronts and friction spread that. In 48 random
-/// scenes, with a reference of elements and steps a quarter as long, the error is 1.16 of the difference to the finer companion in the median, 1.05 to 1.3 of it
-/// in half of the windows, and 0.7 to 1.5 in 90 %. With a factor of 1 the finer one warns of 4 of the 38 right scenes and misses 1 of the 10 wrong ones, with 1.1
-/// of 6 and 1, with 1.2 of 8 and none; the exact error as it stands so far, over the range so far, would warn of 4. `./test/accuracy/run --random` reports all of that.
+/// Where errors fall with the power p of elements and steps, the run's error is 1/(1 - 1/2^p) of its difference to the finer
+/// companion: 1.33 for the second order of beams and steps, 1.14 for p = 3; and 1/(2^p - 1) of its difference to the coarser one.
+/// Impacts, fronts and friction spread that. In 48 random scenes, with a reference of elements and steps a quarter as long, the
+/// error is 1.16 of the difference to the finer companion in the median, 1.05 to 1.3 of it in half of the windows, and 0.7 to 1.5
+/// in 90 %. With a factor of 1 the finer one warns of 4 of the 38 right scenes and misses 1 of the 10 wrong ones, with 1.1 of 6
+/// and 1, with 1.2 of 8 and none; the exact error as it stands so far, over the range so far, would warn of 4.
+/// `./test/accuracy/run --random` reports all of that.
 constexpr CompanionTraits traits_of(CompanionKind kind) noexcept
 {
   return kind == CompanionKind::finer ? CompanionTraits{2.0, 1.1} : CompanionTraits{0.5, 0.85};
@@ -31,17 +34,18 @@ constexpr CompanionTraits traits_of(CompanionKind kind) noexcept
 /// How far the measurement is behind the run [s], so that run and companion need not wait for each other at every frame.
 constexpr double measured_after = 0.1;
 
-/// What the weight on bit ranges over at least, as a share of the hook load: an assumption. It is read as a difference of hook loads, and ranged over more than 1.9 %
-/// of them in each of 21 random scenes with the bit on bottom.
+/// What the weight on bit ranges over at least, as a share of the hook load: an assumption. It is read as a difference of hook
+/// loads, and ranged over more than 1.9 % of them in each of 21 random scenes with the bit on bottom.
 constexpr double weight_of_hook_load = 0.02;
 
-/// Errors of a run's outputs, measured beside a companion: over the last 3 s (difference_window), relative to the output's range so far, a tenth of its
-/// level, or an instrument's resolution, whichever is largest (OutputDifference::scale). The range of the whole run is known only at its end. At first it is
-/// larger than the range so far, and the error would be too large. So the speed that the top drive has reached counts in the range of the bit speed, which
-/// follows later, and the weight on bit ranges over weight_of_hook_load at least.
+/// Errors of a run's outputs, measured beside a companion: over the last 3 s (difference_window), relative to the output's range
+/// so far, a tenth of its level, or an instrument's resolution, whichever is largest (OutputDifference::scale). The range of the
+/// whole run is known only at its end. At first it is larger than the range so far, and the error would be too large. So the
+/// speed that the top drive has reached counts in the range of the bit speed, which follows later, and the weight on bit ranges
+/// over weight_of_hook_load at least.
 ///
-/// The outputs of a frame are compared measured_after later, or when `capacity` frames wait: then the same frames are compared at the same time wherever the
-/// companion is computed. Bounded, allocates nothing.
+/// The outputs of a frame are compared measured_after later, or when `capacity` frames wait: then the same frames are compared at
+/// the same time wherever the companion is computed. Bounded, allocates nothing.
 class MeasuredError
 {
 public:
@@ -51,12 +55,17 @@ public:
   /// @param error_over_difference  CompanionTraits
   explicit MeasuredError(double error_over_difference = 1.0) noexcept;
 
-  /// Outputs of the run over a frame of `duration` [s], and the top drive's speed [rad/s]. Needs a free place: due() is false, or compare() was called since.
+  /// Outputs of the run over a frame of `duration` [s], and the top drive's speed [rad/s]. Needs a free place: due() is false, or
+  /// compare() was called since.
   void add_run(const Outputs& run, double top_drive_speed, double duration) noexcept;
-  /// Outputs of the companion over the first frame that has none yet; NaN: it has failed. Nothing happens where no frame waits for them.
+  /// Outputs of the companion over the first frame that has none yet; NaN: it has failed. Nothing happens where no frame waits
+  /// for them.
   void add_companion(const Outputs& companion) noexcept;
   /// The oldest frame is to be compared now.
-  bool due() const noexcept { return compared_ < run_ && (waiting_ - oldest().duration > measured_after - rounding || is_full()); }
+  bool due() const noexcept
+  {
+    return compared_ < run_ && (waiting_ - oldest().duration > measured_after - rounding || is_full());
+  }
   /// The companion's outputs of the oldest frame are there.
   bool ready() const noexcept { return compared_ < companion_; }
   bool is_full() const noexcept { return run_ - compared_ == capacity; }
@@ -65,7 +74,8 @@ public:
 
   /// [-]
   double error(Output output) const noexcept;
-  /// Of the statistics over 30 s (statistics_window), relative as error() [-]: reliable where a vibration in the two models runs out of phase.
+  /// Of the statistics over 30 s (statistics_window), relative as error() [-]: reliable where a vibration in the two models runs
+  /// out of phase.
   StatisticDifferences statistics(Output output) const noexcept;
   /// In the output's unit.
   double absolute_error(Output output) const noexcept;
@@ -103,9 +113,9 @@ private:
 
   double error_over_difference_;
   std::array<OutputDifference, output_count> differences_;
-  std::array<Frame, capacity> frames_;  // ring
+  std::array<Frame, capacity> frames_;                    // ring
   std::uint64_t run_ = 0, companion_ = 0, compared_ = 0;  // frames, since the start
-  double waiting_ = 0.0;  // duration of the frames not compared yet [s]
+  double waiting_ = 0.0;                                  // duration of the frames not compared yet [s]
 };
 
 /// An output and its error [-].

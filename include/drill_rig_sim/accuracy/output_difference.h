@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_ACCURACY_OUTPUT_DIFFERENCE_H
 #define DRILL_RIG_SIM_ACCURACY_OUTPUT_DIFFERENCE_H
 
@@ -43,7 +44,8 @@ public:
   /// Root mean square of the difference over the last window, in the output's unit; before the start there was none.
   double absolute() const noexcept;
   StatisticDifferences statistics() const noexcept;
-  /// What the output has ranged over so far, a tenth of its mean magnitude, or the resolution of an instrument, whichever is most; in its unit.
+  /// What the output has ranged over so far, a tenth of its mean magnitude, or the resolution of an instrument, whichever is
+  /// most; in its unit.
   double scale() const noexcept;
   /// Mean magnitude of the second model's so far, in the output's unit.
   double level() const noexcept { return time_ > 0.0 ? sum_ / time_ : 0.0; }

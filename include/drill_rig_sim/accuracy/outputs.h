@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_ACCURACY_OUTPUTS_H
 #define DRILL_RIG_SIM_ACCURACY_OUTPUTS_H
 
@@ -12,11 +13,11 @@ namespace drill_rig_sim
 enum class Output : std::size_t
 {
   hook_load,
-  torque,    ///< at the surface
+  torque,  ///< at the surface
   wob,
-  rop,       ///< mean of the last second: where rock changes it jumps, and when it does to the frame is nothing
+  rop,  ///< mean of the last second: where rock changes it jumps, and when it does to the frame is nothing
   bit_speed,
-  pressure   ///< stand pipe
+  pressure  ///< stand pipe
 };
 
 constexpr std::size_t output_count = 6;
@@ -25,19 +26,20 @@ using Outputs = std::array<double, output_count>;
 
 struct OutputTraits
 {
-  const char* name;  ///< as the column of `drill run --csv`
+  const char* name;   ///< as the column of `drill run --csv`
   const char* words;  ///< as a sentence has it
-  Need need;         ///< the word of the scene's key `needs` that asks for it
-  double resolved;   ///< resolution of an instrument: less does not count as a change of the output
+  Need need;          ///< the word of the scene's key `needs` that asks for it
+  double resolved;    ///< resolution of an instrument: less does not count as a change of the output
 };
 
 /// Of each output, in their order: kN, 0.1 kN m, kN, 36 mm/h, rpm, bar by what rigs show.
-constexpr std::array<OutputTraits, output_count> output_traits = {{{"hook_load", "hook load", need_hook_load, 1e3},
-                                                                   {"torque", "torque", need_torque, 100.0},
-                                                                   {"wob", "weight on bit", need_wob, 1e3},
-                                                                   {"rop", "rate of penetration", need_rop, 1e-5},
-                                                                   {"bit_speed", "bit speed", need_bit_speed, 0.1},
-                                                                   {"stand_pipe_pressure", "stand pipe pressure", need_pressure, 1e5}}};
+constexpr std::array<OutputTraits, output_count> output_traits = {
+    {{"hook_load", "hook load", need_hook_load, 1e3},
+     {"torque", "torque", need_torque, 100.0},
+     {"wob", "weight on bit", need_wob, 1e3},
+     {"rop", "rate of penetration", need_rop, 1e-5},
+     {"bit_speed", "bit speed", need_bit_speed, 0.1},
+     {"stand_pipe_pressure", "stand pipe pressure", need_pressure, 1e5}}};
 
 constexpr const OutputTraits& traits_of(Output output) noexcept
 {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_ACCURACY_SLIDING_MEAN_H
 #define DRILL_RIG_SIM_ACCURACY_SLIDING_MEAN_H
 
@@ -6,7 +7,8 @@
 
 namespace drill_rig_sim
 {
-/// Mean of a signal over its last seconds, in pieces of a tenth of a second: of `Pieces` whole ones and the one under way. Bounded, allocates nothing.
+/// Mean of a signal over its last seconds, in pieces of a tenth of a second: of `Pieces` whole ones and the one under way.
+/// Bounded, allocates nothing.
 template <std::size_t Pieces>
 class SlidingMean
 {

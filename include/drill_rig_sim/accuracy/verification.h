@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_ACCURACY_VERIFICATION_H
 #define DRILL_RIG_SIM_ACCURACY_VERIFICATION_H
 
@@ -11,39 +12,43 @@ namespace drill_rig_sim
 {
 /// Compares a run with two finer runs of the same rig: error of each output.
 ///
-/// The finest run is the reference. Its own error is a third of the difference of the two finer runs, because half elements and steps divide an error
-/// of second order by four. Larger errors were seldom found (test/accuracy/README.md).
+/// The finest run is the reference. Its own error is a third of the difference of the two finer runs, because half elements and
+/// steps divide an error of second order by four. Larger errors were seldom found (test/accuracy/README.md).
 class Verification
 {
 public:
   /// What was found of an output over the windows of the run, each of difference_window.
   struct Finding
   {
-    double scale = 0.0;      ///< range of the finest run, a tenth of its level or the resolution of an instrument, whichever is most
-    double worst = 0.0;      ///< largest root mean square of a window's difference to the finest run, over `scale` [-]
+    double scale = 0.0;  ///< range of the finest run, a tenth of its level or the resolution of an instrument, whichever is most
+    double worst = 0.0;  ///< largest root mean square of a window's difference to the finest run, over `scale` [-]
     double worst_until = 0.0;  ///< end of that window [s]
-    double own = 0.0;        ///< of the finest run's own errors, in the same way, the largest [-]
-    double wrong_from = std::numeric_limits<double>::quiet_NaN();    ///< begin of the first window beyond the tolerance [s]; NaN: none
-    bool known = true;       ///< the finest run's own error is below a third of the tolerance there, or of the difference
+    double own = 0.0;          ///< of the finest run's own errors, in the same way, the largest [-]
+    double wrong_from =
+        std::numeric_limits<double>::quiet_NaN();  ///< begin of the first window beyond the tolerance [s]; NaN: none
+    bool known = true;  ///< the finest run's own error is below a third of the tolerance there, or of the difference
     double mean = 0.0, finest_mean = 0.0;  ///< of the whole run
-    std::vector<double> off, measured;     ///< of each window: its difference to the finest run over `scale`, and the error measured at its end [-]
+    std::vector<double> off,
+        measured;  ///< of each window: its difference to the finest run over `scale`, and the error measured at its end [-]
   };
 
   /// From the best to the worst.
   enum class Verdict
   {
-    right,    ///< no window of an output that is needed is beyond the tolerance
-    warned,   ///< some are, and a warning had begun by the end of the first of them
-    silent,   ///< some are, and none had
-    unknown   ///< the own error of the finest run is too large for a verdict
+    right,   ///< no window of an output that is needed is beyond the tolerance
+    warned,  ///< some are, and a warning had begun by the end of the first of them
+    silent,  ///< some are, and none had
+    unknown  ///< the own error of the finest run is too large for a verdict
   };
 
   /// @param tolerance  relative
   /// @param needs      outputs that count for the verdict, a sum of Need
   Verification(double tolerance, unsigned needs);
 
-  /// A frame that ends at `time` [s]. `warned`: the run itself says that it may be wrong. `measured`: its errors by its own companion; NaN without one.
-  void add(const Outputs& run, const Outputs& finer, const Outputs& finest, bool warned, const Outputs& measured, double time, double duration);
+  /// A frame that ends at `time` [s]. `warned`: the run itself says that it may be wrong. `measured`: its errors by its own
+  /// companion; NaN without one.
+  void add(const Outputs& run, const Outputs& finer, const Outputs& finest, bool warned, const Outputs& measured, double time,
+           double duration);
   Finding finding(Output output) const;
   /// On one output, whether it is needed or not.
   Verdict verdict(Output output) const;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_ACCURACY_WINDOW_STATISTICS_H
 #define DRILL_RIG_SIM_ACCURACY_WINDOW_STATISTICS_H
 
@@ -6,8 +7,9 @@
 
 namespace drill_rig_sim
 {
-/// Statistics of a signal over its last 30 s (statistics_window), in pieces of a second: of 30 whole ones and the one under way. They stay near each other in two
-/// models of a rig whose instants do not, because a vibration in them runs out of phase. Bounded, allocates nothing.
+/// Statistics of a signal over its last 30 s (statistics_window), in pieces of a second: of 30 whole ones and the one under way.
+/// They stay near each other in two models of a rig whose instants do not, because a vibration in them runs out of phase.
+/// Bounded, allocates nothing.
 class WindowStatistics
 {
 public:
@@ -21,8 +23,9 @@ public:
   struct Summary
   {
     double mean, deviation, least, largest;  ///< deviation: standard deviation; in the signal's unit
-    /// Mean time from one rise through the mean to the next, of rises and falls by half a deviation or more [s]; 0: fewer than three in the window. The mean
-    /// is that of the window at the time: for half a minute after a large step nothing rises through it.
+    /// Mean time from one rise through the mean to the next, of rises and falls by half a deviation or more [s]; 0: fewer than
+    /// three in the window. The mean is that of the window at the time: for half a minute after a large step nothing rises
+    /// through it.
     double period;
   };
   Summary summary() const noexcept;
@@ -63,7 +66,7 @@ private:
 
   std::array<Piece, pieces + 1> pieces_;  // ring
   std::size_t newest_ = 0;
-  double time_ = 0.0;  // since the start [s]
+  double time_ = 0.0;                // since the start [s]
   double level_ = 0.0, band_ = 0.0;  // mean, and how far from it a rise or fall must go, as of the last whole piece
   bool above_ = false;
 };

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_CONTACT_BIT_TORQUE_H
 #define DRILL_RIG_SIM_CONTACT_BIT_TORQUE_H
 
@@ -17,8 +18,8 @@ enum class BitTorqueModel
 struct BitLawTraits
 {
   const char* word;  ///< of the scene file
-  bool drag;    ///< cutters and wear flats carry the weight by their width; else the face rubs
-  bool by_cut;  ///< weight and torque by the depth that each blade cuts (bit_cut.h)
+  bool drag;         ///< cutters and wear flats carry the weight by their width; else the face rubs
+  bool by_cut;       ///< weight and torque by the depth that each blade cuts (bit_cut.h)
 };
 
 /// By BitTorqueModel.
@@ -26,7 +27,10 @@ constexpr BitLawTraits bit_laws[] = {
 #define BIT_LAW(name, limit, drag, by_cut, meaning) {#name, drag, by_cut},
 #include "drill_rig_sim/contact/bit_law_list.h"
 };
-constexpr BitLawTraits traits_of(BitTorqueModel model) noexcept { return bit_laws[static_cast<int>(model)]; }
+constexpr BitLawTraits traits_of(BitTorqueModel model) noexcept
+{
+  return bit_laws[static_cast<int>(model)];
+}
 
 struct BitTorqueSpec
 {
@@ -59,8 +63,8 @@ TorqueLimit stribeck_bit_torque(const BitTorqueSpec& spec, double diameter, doub
 /// zeta of a drag bit: the weight that its cutters need over the force they cut with. Detournay and Defourny measured 0.5 to 0.8.
 constexpr double cutter_inclination = 0.6;
 
-/// The zeta that a drillability K and an intrinsic specific energy epsilon make together [-]: the cutters carry W - F_0 = zeta epsilon a d,
-/// the rock law says d = 2 pi K (W - F_0), hence zeta = 1/(2 pi a K epsilon). For the exponents alpha = beta = 1.
+/// The zeta that a drillability K and an intrinsic specific energy epsilon make together [-]: the cutters carry W - F_0 = zeta
+/// epsilon a d, the rock law says d = 2 pi K (W - F_0), hence zeta = 1/(2 pi a K epsilon). For the exponents alpha = beta = 1.
 /// @param diameter  D = 2 a [m]
 double implied_inclination(double diameter, double drillability, double cutting_energy) noexcept;
 
@@ -68,10 +72,10 @@ double implied_inclination(double diameter, double drillability, double cutting_
 /// a = D/2, d = 2 pi v/N the depth of cut per revolution, epsilon the intrinsic specific energy, mu_gamma the friction of the
 /// wear flats times the bit's constant gamma, W_f the weight that the flats carry when they bear fully. v = K (F - F_0)^alpha
 /// N^beta by the formation, hence d = 2 pi K (F - F_0)^alpha N^(beta - 1). Below 1 rad/s N is held at 1 rad/s here: a stuck bit
-/// is held by the cut it is in, not by an infinite one. With epsilon = 0 the two laws share one input: the cutters' weight W_c = F - F_0
-/// cuts by T_c = a W_c/(2 zeta), zeta the cutter_inclination, whatever the exponents. Source: Detournay and Defourny, A phenomenological model for the drilling
-/// action of drag bits, Int. J. Rock Mech. Min. Sci. 29 (1992), 13-23: T = T_c + T_f, T_c = epsilon a^2 d/2, W_c = zeta
-/// epsilon a d, 2 T_f/a = mu gamma W_f.
+/// is held by the cut it is in, not by an infinite one. With epsilon = 0 the two laws share one input: the cutters' weight W_c =
+/// F - F_0 cuts by T_c = a W_c/(2 zeta), zeta the cutter_inclination, whatever the exponents. Source: Detournay and Defourny, A
+/// phenomenological model for the drilling action of drag bits, Int. J. Rock Mech. Min. Sci. 29 (1992), 13-23: T = T_c + T_f, T_c
+/// = epsilon a^2 d/2, W_c = zeta epsilon a d, 2 T_f/a = mu gamma W_f.
 /// @param spec  cutting_energy [J/m3], wear_friction [-], wear_weight [N]
 /// @param rock  drillability K, weight_exponent alpha, speed_exponent beta, threshold F_0
 TorqueLimit detournay_bit_torque(const BitTorqueSpec& spec, double diameter, double force, double speed,

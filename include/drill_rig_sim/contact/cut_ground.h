@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_CONTACT_CUT_GROUND_H
 #define DRILL_RIG_SIM_CONTACT_CUT_GROUND_H
 
@@ -5,22 +6,23 @@
 
 namespace drill_rig_sim
 {
-/// The rock under a bit of n blades alike, over the angle from one blade to the next, 2 pi/n: all such sectors look the same. Heights are
-/// counted down the hole from one fixed place, angles are the bit's since the start, unbounded. A value of fixed size.
+/// The rock under a bit of n blades alike, over the angle from one blade to the next, 2 pi/n: all such sectors look the same.
+/// Heights are counted down the hole from one fixed place, angles are the bit's since the start, unbounded. A value of fixed
+/// size.
 ///
-/// A ring of equal cells, straight between them. As the bit turns, each cell that a blade passes is lowered to the blade's height, unless
-/// it lies lower already (a bit that has jumped leaves the rock as it was). A cell is written when the blade has passed the next one, so
-/// that what lies ahead of the blade can be read in the same way everywhere.
+/// A ring of equal cells, straight between them. As the bit turns, each cell that a blade passes is lowered to the blade's
+/// height, unless it lies lower already (a bit that has jumped leaves the rock as it was). A cell is written when the blade has
+/// passed the next one, so that what lies ahead of the blade can be read in the same way everywhere.
 struct CutGround
 {
   static constexpr int cells = 256;
 
-  double front = 0.0;    ///< bit's angle where it has cut farthest [rad]
-  double angle = 0.0;    ///< bit's angle [rad]
-  double height = 0.0;   ///< and height [m] at the end of the last step
-  double pending = 0.0;  ///< blade's height at the last cell passed [m]
-  double mean = 0.0;     ///< of the ring: where the hole's bottom is [m]
-  double flats = 0.0;    ///< load of the bit's flats [N]
+  double front = 0.0;                   ///< bit's angle where it has cut farthest [rad]
+  double angle = 0.0;                   ///< bit's angle [rad]
+  double height = 0.0;                  ///< and height [m] at the end of the last step
+  double pending = 0.0;                 ///< blade's height at the last cell passed [m]
+  double mean = 0.0;                    ///< of the ring: where the hole's bottom is [m]
+  double flats = 0.0;                   ///< load of the bit's flats [N]
   std::array<double, cells> heights{};  ///< [m]
 
   template <class V>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Text of the Stribeck curve (friction_law.h) and of the sticking bristle (wall_contact.h, surface_friction.h) for numbers of
 // type V (math/vector_text.h). No include guard: it is another text for each V.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Text of normal_law.h for numbers of type V (math/vector_text.h). No include guard: it is another text for each V.
 
 /// NormalForce.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_CONTACT_ONE_LANE_FRICTION_H
 #define DRILL_RIG_SIM_CONTACT_ONE_LANE_FRICTION_H
 
@@ -15,7 +16,12 @@ namespace drill_rig_sim
 /// Friction and bristle of a law with this kinetic coefficient, for the laws' texts.
 inline one_lane::Rubbing rubbing_of(const WallLaw& law, double kinetic) noexcept
 {
-  return {kinetic, law.static_ratio, law.stribeck_speed, law.tangential_stiffness, law.tangential_damping, law.stribeck_curve == StribeckCurve::exponential};
+  return {kinetic,
+          law.static_ratio,
+          law.stribeck_speed,
+          law.tangential_stiffness,
+          law.tangential_damping,
+          law.stribeck_curve == StribeckCurve::exponential};
 }
 
 }  // namespace drill_rig_sim

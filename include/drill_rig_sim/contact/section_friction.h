@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_CONTACT_SECTION_FRICTION_H
 #define DRILL_RIG_SIM_CONTACT_SECTION_FRICTION_H
 
@@ -8,8 +9,8 @@
 
 namespace drill_rig_sim
 {
-/// Static ratio and Stribeck speed along the hole: each section's own, else the scene's. Over the millimetre where one section gives way to
-/// the next they change in a straight line, as the kinetic coefficient does: friction never jumps.
+/// Static ratio and Stribeck speed along the hole: each section's own, else the scene's. Over the millimetre where one section
+/// gives way to the next they change in a straight line, as the kinetic coefficient does: friction never jumps.
 class SectionFriction
 {
 public:

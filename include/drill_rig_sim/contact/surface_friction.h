@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_CONTACT_SURFACE_FRICTION_H
 #define DRILL_RIG_SIM_CONTACT_SURFACE_FRICTION_H
 
@@ -7,8 +8,8 @@
 
 namespace drill_rig_sim
 {
-/// A pipe's surface on the wall in its two directions, along the hole (+ down) and around it (+ clockwise looking downhole), at one implicit
-/// stage. Unknown: the displacement x since the start of the step; velocity = velocity_coefficient x + const.
+/// A pipe's surface on the wall in its two directions, along the hole (+ down) and around it (+ clockwise looking downhole), at
+/// one implicit stage. Unknown: the displacement x since the start of the step; velocity = velocity_coefficient x + const.
 struct SurfaceMotion
 {
   Eigen::Vector2d displacement = Eigen::Vector2d::Zero();  ///< [m]
@@ -31,7 +32,8 @@ struct SurfaceSlopes
   Eigen::Vector2d by_normal_force = Eigen::Vector2d::Zero();  ///< [-]
 };
 
-/// Friction of pipe that is known to lie on the wall with `normal_force` [N], by the law of wall_contact.h with its sticking bristle and Stribeck curve.
+/// Friction of pipe that is known to lie on the wall with `normal_force` [N], by the law of wall_contact.h with its sticking
+/// bristle and Stribeck curve.
 /// @param kinetic  mu_k [-]
 /// @param bristle  at the start of the step [m]
 /// @param slopes   overwritten; null: nobody wants them

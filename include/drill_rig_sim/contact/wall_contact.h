@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_CONTACT_WALL_CONTACT_H
 #define DRILL_RIG_SIM_CONTACT_WALL_CONTACT_H
 
@@ -10,20 +11,22 @@
 /// A circular cross section of the string (tool joint, pipe body, stabiliser blade, bit gauge) against the wall of the hole.
 ///
 /// Symbols, all vectors in world axes: D the section's centre, r_D; C the hole's centre beside it, r_C(s), s its measured depth;
-/// R_D and R(s) the radii of section and hole; d = r_D - r_C; rho = |d|; n = d / rho, outward; P = 1 - n n^T. R_F: lever of the friction about
-/// the axis: R_D, or less where a sleeve turns on the section (a protector's bearing), or what is worn off the surface that rubs.
+/// R_D and R(s) the radii of section and hole; d = r_D - r_C; rho = |d|; n = d / rho, outward; P = 1 - n n^T. R_F: lever of the
+/// friction about the axis: R_D, or less where a sleeve turns on the section (a protector's bearing), or what is worn off the
+/// surface that rubs.
 ///
 /// Normal:    delta = rho + R_D - R(s),  F_n by normal_force(), applied to the string as -F_n n.
 /// Friction:  in the full tangent plane, so that its axial and circumferential parts compete; applied with the arm R_F n.
 ///            A bristle z (elasto-plastic, implicit return mapping) with a damper c_b beside it carries true sticking:
-///              z_t = P (z_n + x + r x R_F n),  v_t = P (v_D + omega x R_F n)          trial; x and r the step's displacement, rotation
-///              q   = k_b z_t + c_b v_t
-///              f   = -q                                 if |q| <= mu(|v_t|) F_n: sticks, z = z_t
-///              f   = -mu F_n q/|q|                      otherwise: slips; the bristle goes to its own limit, z_l = f/-k_b, over
+///              z_t = P (z_n + x + r x R_F n),  v_t = P (v_D + omega x R_F n)          trial; x and r the step's displacement,
+///              rotation q   = k_b z_t + c_b v_t f   = -q                                 if |q| <= mu(|v_t|) F_n: sticks, z =
+///              z_t f   = -mu F_n q/|q|                      otherwise: slips; the bristle goes to its own limit, z_l = f/-k_b,
+///              over
 ///                                                       c_b/k_b: z = P z_n + (z_l - P z_n) t/(t + c_b/k_b), t the time since z_n
-///            with mu(v) the Stribeck curve, its static ratio grown by the rest before the step (rest_growth.h). The bristle is driven by the displacement, not by the velocity: under a constant load
-///            it does not creep, whatever the time scheme. The damper sits inside the friction cone: the two together never pull
-///            harder than mu F_n, and never give energy back that they did not take. mu = 0 is the frictionless mode.
+///            with mu(v) the Stribeck curve, its static ratio grown by the rest before the step (rest_growth.h). The bristle is
+///            driven by the displacement, not by the velocity: under a constant load it does not creep, whatever the time scheme.
+///            The damper sits inside the friction cone: the two together never pull harder than mu F_n, and never give energy
+///            back that they did not take. mu = 0 is the frictionless mode.
 ///
 /// rho is taken as sqrt(|d|^2 + 1e-14 m^2): with zero clearance (a bit's gauge in the hole it cut) contact is active down to rho
 /// = 0, where n would be undefined; so it goes to zero smoothly within 0.1 micrometre, and all tangents stay exact and finite.
@@ -100,11 +103,13 @@ struct SlidingMotion
 
 constexpr SlidingMotion no_sliding{}, sliding_up{-1.0, 0.0}, sliding_down{1.0, 0.0}, sliding_around{0.0, 1.0};
 
-/// Wall on string in steady sliding: full kinetic friction mu_k F_n, or that share of it, against the given motion, no damping, no bristle.
-/// Slip direction m = (v_a t + w R_F t x n) / |...|; friction -mu_k F_n m, moment R_F n x friction. No sliding: no friction.
+/// Wall on string in steady sliding: full kinetic friction mu_k F_n, or that share of it, against the given motion, no damping,
+/// no bristle. Slip direction m = (v_a t + w R_F t x n) / |...|; friction -mu_k F_n m, moment R_F n x friction. No sliding: no
+/// friction.
 /// @param tangent  d(force, moment)/d(x, r) at fixed sliding motion and hole tangent t, overwritten; columns of r are zero
-WallForce sliding_wall_contact(const ClosestPoint& closest, double radius, const Eigen::Vector3d& position, const SlidingMotion& sliding,
-                               const WallLaw& law, Eigen::Ref<Eigen::Matrix<double, 6, 6>> tangent) noexcept;
+WallForce sliding_wall_contact(const ClosestPoint& closest, double radius, const Eigen::Vector3d& position,
+                               const SlidingMotion& sliding, const WallLaw& law,
+                               Eigen::Ref<Eigen::Matrix<double, 6, 6>> tangent) noexcept;
 
 }  // namespace drill_rig_sim
 

@@ -1,5 +1,6 @@
-// Text of wall_contact.h for numbers of type V (math/vector_text.h), behind normal_text.h and friction_text.h; symbols as there. No include guard: it is
-// another text for each V.
+// SPDX-License-Identifier: BSD-3-Clause
+// Text of wall_contact.h for numbers of type V (math/vector_text.h), behind normal_text.h and friction_text.h; symbols as there.
+// No include guard: it is another text for each V.
 
 /// Hole, section, its motion and its law: ClosestPoint, ContactMotion and WallLaw.
 struct Contact
@@ -46,7 +47,9 @@ DRILL_LAW void rub(const Contact& c, V time, Wall& w)
   const V3 moved = c.bristle + c.displacement + cross(c.rotation, arm);
   w.pull = mul_add(c.rubbing.stiffness, moved, c.rubbing.damping * w.surface_velocity);
   const auto velocity = [&] { return in_plane(w.n, w.surface_velocity); };
-  w.friction = rubbed(c.rubbing, w.normal.value, in_plane(w.n, w.pull), in_plane(w.n, moved), velocity, [&] { return in_plane(w.n, c.bristle); }, time);
+  w.friction = rubbed(
+      c.rubbing, w.normal.value, in_plane(w.n, w.pull), in_plane(w.n, moved), velocity, [&] { return in_plane(w.n, c.bristle); },
+      time);
   w.slip_direction = none;
   if (all_of(opposite(w.friction.slipping))) return;
   const V3 slip = velocity();
@@ -75,12 +78,14 @@ DRILL_LAW void find_wall_tangent(const Contact& c, const Wall& w, V rate, V (&ou
   V3 b[3];
   find_normal_derivative(w, c.gradient, b);
   const auto transposed = [&](const V3& v) { return V3{dot(b[0], v), dot(b[1], v), dot(b[2], v)}; };
-  const V3 normal_gradient = mul_add(mul_add(rate, w.normal.damping, w.normal.stiffness), w.gradient, w.normal.damping * transposed(c.velocity));
+  const V3 normal_gradient =
+      mul_add(mul_add(rate, w.normal.damping, w.normal.stiffness), w.gradient, w.normal.damping * transposed(c.velocity));
 
   // of the friction's limit, where it slips: |f| = mu(|v_t|) F_n; d|v_t| = e . dv_s - (n . v_s) e . dn, with e = v_t/|v_t|
   const Rubbed<V3>& rub = w.friction;
   const V3 e = w.slip_direction;
-  const V per_speed = rub.mu.slope * w.normal.value, share = select(rub.slipping, rub.mu.value * w.normal.value / rub.trial, all(1.0));
+  const V per_speed = rub.mu.slope * w.normal.value,
+          share = select(rub.slipping, rub.mu.value * w.normal.value / rub.trial, all(1.0));
   const V3 through = c.lever * cross(e, c.turning) - dot(n, w.surface_velocity) * e;
   const V3 limit_x = mul_add(rub.mu.value, normal_gradient, per_speed * mul_add(rate, e, transposed(through)));
   const V3 limit_r = (per_speed * rate * c.lever) * cross(n, e);
@@ -97,7 +102,8 @@ DRILL_LAW void find_wall_tangent(const Contact& c, const Wall& w, V rate, V (&ou
   const V of_row[3] = {row.x, row.y, row.z}, of_gradient[3] = {normal_gradient.x, normal_gradient.y, normal_gradient.z};
   const V of_limit_x[3] = {limit_x.x, limit_x.y, limit_x.z}, of_limit_r[3] = {limit_r.x, limit_r.y, limit_r.z};
   const V3 arm = c.lever * n;
-  const V3 turned[3] = {{zero, minus(s * arm.z), s * arm.y}, {s * arm.z, zero, minus(s * arm.x)}, {minus(s * arm.y), s * arm.x, zero}};
+  const V3 turned[3] = {
+      {zero, minus(s * arm.z), s * arm.y}, {s * arm.z, zero, minus(s * arm.x)}, {minus(s * arm.y), s * arm.x, zero}};
   const auto write = [&out](int column, const V3& force, const V3& moment)
   {
     out[column] = force.x;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_CREW_COMMAND_DELAY_H
 #define DRILL_RIG_SIM_CREW_COMMAND_DELAY_H
 
@@ -8,9 +9,9 @@
 
 namespace drill_rig_sim
 {
-/// Dead times between a set point and its actuator: the rig's controller (PLC) passes all of them on after one, the drawworks' drive takes the winch's
-/// after another. An actuator gets y(t) = x(t - T), of the set points x that were given at the frames' begins. Without dead times they pass as they are.
-/// A dead time is held in steps of a 400th of the longest.
+/// Dead times between a set point and its actuator: the rig's controller (PLC) passes all of them on after one, the drawworks'
+/// drive takes the winch's after another. An actuator gets y(t) = x(t - T), of the set points x that were given at the frames'
+/// begins. Without dead times they pass as they are. A dead time is held in steps of a 400th of the longest.
 class CommandDelay
 {
 public:

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_CREW_COMMAND_STREAM_H
 #define DRILL_RIG_SIM_CREW_COMMAND_STREAM_H
 
@@ -7,8 +8,8 @@
 
 namespace drill_rig_sim
 {
-/// Tells a controller's stream of commands, whose silence means that the controller is lost, from orders that are given once and stand until the next one:
-/// a driller's click, a `rostopic pub -1`.
+/// Tells a controller's stream of commands, whose silence means that the controller is lost, from orders that are given once and
+/// stand until the next one: a driller's click, a `rostopic pub -1`.
 class CommandStream
 {
 public:

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_CREW_INTERLOCKS_H
 #define DRILL_RIG_SIM_CREW_INTERLOCKS_H
 
@@ -5,8 +6,9 @@
 #include "drill_rig_sim/model/fault_state.h"
 #include "drill_rig_sim/scene/scene.h"
 
-/// What a rig does of itself, whatever is commanded. Limits that hold while they are reached are the winch's own (rig/hoisting.h: stops,
-/// largest and least hook load), the top drive's (torque, speed, power) and the pump's relief valve; here are those that trip and stay.
+/// What a rig does of itself, whatever is commanded. Limits that hold while they are reached are the winch's own (rig/hoisting.h:
+/// stops, largest and least hook load), the top drive's (torque, speed, power) and the pump's relief valve; here are those that
+/// trip and stay.
 namespace drill_rig_sim
 {
 /// Trips by what the rig's gauges show, as its controls have nothing else; a gauge that is wrong trips too late, or for nothing.
@@ -24,7 +26,8 @@ struct InterlockState
 };
 
 /// Before a frame: what trips by the last readings and what is let go by the set points asked for.
-void watch_interlocks(const RigSpec& rig, const RigSignals& readings, const Setpoints& asked, InterlockState& interlocks) noexcept;
+void watch_interlocks(const RigSpec& rig, const RigSignals& readings, const Setpoints& asked,
+                      InterlockState& interlocks) noexcept;
 
 /// What is left of the set points asked for by interlocks and faults: a tripped drive coasts, brake apart; a tripped pump stops.
 Setpoints restrained(Setpoints asked, const InterlockState& interlocks, const FaultState& faults) noexcept;

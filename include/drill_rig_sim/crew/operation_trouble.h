@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_CREW_OPERATION_TROUBLE_H
 #define DRILL_RIG_SIM_CREW_OPERATION_TROUBLE_H
 
@@ -17,15 +18,17 @@ enum class OperationTrouble
 /// One line; empty for none.
 const char* text_of(OperationTrouble trouble) noexcept;
 
-/// Looks at what a driller looks at while drilling: differential pressure and weight. Not more often than what stands for seconds.
+/// Looks at what a driller looks at while drilling: differential pressure and weight. Not more often than what stands for
+/// seconds.
 class OperationTroubleWatch
 {
 public:
-  static constexpr double stall_share = 0.97;       ///< of the stall pressure [-]
-  static constexpr double no_hole_share = 0.9;      ///< the same where no hole is made: the zero was taken with what the motor needs off bottom [-]
-  static constexpr double no_hole = 1e-5;           ///< rate of penetration below which none is made [m/s]
-  static constexpr double stall_lasts = 2.0;        ///< by which the time at it is longer than the time below: a gauge has noise [s]
-  static constexpr double over_weight_lasts = 10.0; ///< [s]
+  static constexpr double stall_share = 0.97;  ///< of the stall pressure [-]
+  static constexpr double no_hole_share =
+      0.9;  ///< the same where no hole is made: the zero was taken with what the motor needs off bottom [-]
+  static constexpr double no_hole = 1e-5;     ///< rate of penetration below which none is made [m/s]
+  static constexpr double stall_lasts = 2.0;  ///< by which the time at it is longer than the time below: a gauge has noise [s]
+  static constexpr double over_weight_lasts = 10.0;  ///< [s]
   /// Weight on bit far above `wanted` [N]: twice as much, and at least 30 kN more.
   static double over_weight(double wanted) noexcept;
 

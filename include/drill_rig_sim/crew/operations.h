@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_CREW_OPERATIONS_H
 #define DRILL_RIG_SIM_CREW_OPERATIONS_H
 
@@ -22,24 +23,26 @@ struct OperationStatus
   int count = 0;   ///< of operations in all
   OperationKind kind = OperationKind::wait;
   double progress = 0.0;  ///< towards the end that is nearest, 0 to 1
-  OperationTrouble trouble = OperationTrouble::none;  ///< why it was given up; the block is braked then, and no other operation begins
+  OperationTrouble trouble =
+      OperationTrouble::none;  ///< why it was given up; the block is braked then, and no other operation begins
 };
 
 /// Operations that are over, by when they began (OperationsPlayer::began()).
 std::size_t operations_over(const std::vector<double>& began) noexcept;
 
-/// The feed of drill and slide, by the surface weight W [N] that is wanted to be W*. String and lines of stiffness K [N/m] stand on rock:
-/// dW/dt = K (v - ROP), v the block's speed down. With v = c W* + (W* - W)/(K T), weight closes on W* with the time T on rock that does not give way, and faster
-/// on one that gives way in proportion to weight, c W, once c is learnt: the mean of v - (dW/dt)/K over that of W, both by a first-order lag. There is no lasting
-/// error on any rock, for what is learnt in a steady state is its ROP. Weight that is too high is drilled off, never lifted off: sheaves that turn back take as much
-/// from the dead line's reading as the bit bears, so that a weight read by it would rise with the block, and the block with the weight.
+/// The feed of drill and slide, by the surface weight W [N] that is wanted to be W*. String and lines of stiffness K [N/m] stand
+/// on rock: dW/dt = K (v - ROP), v the block's speed down. With v = c W* + (W* - W)/(K T), weight closes on W* with the time T on
+/// rock that does not give way, and faster on one that gives way in proportion to weight, c W, once c is learnt: the mean of v -
+/// (dW/dt)/K over that of W, both by a first-order lag. There is no lasting error on any rock, for what is learnt in a steady
+/// state is its ROP. Weight that is too high is drilled off, never lifted off: sheaves that turn back take as much from the dead
+/// line's reading as the bit bears, so that a weight read by it would rise with the block, and the block with the weight.
 struct WeightFeed
 {
   static constexpr double feed_time = 8.0;   ///< T, longer than waves take up and down a string of 5 km [s]
   static constexpr double learn_time = 4.0;  ///< of the lag [s]
   static constexpr double felt = 0.1;        ///< of W*: with less the bit may be off bottom, and c is taken for that at W* [-]
-  double rate = 0.0;         ///< mean rate of penetration, plus W/(K learn_time) [m/s]
-  double mean_weight = 0.0;  ///< [N]
+  double rate = 0.0;                         ///< mean rate of penetration, plus W/(K learn_time) [m/s]
+  double mean_weight = 0.0;                  ///< [N]
   bool begun = false;
 
   /// Block velocity, + up [m/s], from -`most` [m/s] to 0, for the next `duration` [s].
@@ -57,9 +60,10 @@ struct WeightFeed
 /// Whether the stand-pipe pressure has come to rest: two first-order lags of it, one twice as slow as the other, agree.
 struct PressureTrend
 {
-  static constexpr double fast = 2.5, slow = 5.0;           ///< time constants [s]
-  static constexpr double share = 0.01, resolution = 2e4;   ///< they agree within the larger of this share and this pressure [-], [Pa]
-  double fast_mean = 0.0, slow_mean = 0.0;                  ///< [Pa]
+  static constexpr double fast = 2.5, slow = 5.0;  ///< time constants [s]
+  static constexpr double share = 0.01,
+                          resolution = 2e4;  ///< they agree within the larger of this share and this pressure [-], [Pa]
+  double fast_mean = 0.0, slow_mean = 0.0;   ///< [Pa]
 
   void begin(double pressure) noexcept { fast_mean = slow_mean = pressure; }
   void follow(double pressure, double duration) noexcept;
@@ -75,28 +79,35 @@ struct PressureTrend
 
 /// Plays a scene's operations: gives the simulator the set points of the one under way before every frame, by the readings alone.
 /// - flow and rotate ramp their set point; it stays in force.
-/// - pick_up and slack_off move the block, ream up and down again to where it began `times`; all are stopped or turned back so far ahead of their end as
+/// - pick_up and slack_off move the block, ream up and down again to where it began `times`; all are stopped or turned back so
+/// far ahead of their end as
 ///   the winch needs, and end with the brake set.
-/// - tag lowers until the bit takes `weight`; it zeroes the weight (tare) all the while until the string has come to move steadily, after tag_settles (and a
-///   period of the waves, where the rig heaves) and when the stand-pipe pressure is steady (or after pressure_settles), or the bit is on bottom, and counts
-///   weight from then on. Begun off bottom, but less than
-///   5 cm, it lifts the block first: over the first 2 cm of its way down the friction of sheaves and rail turns round. slack_off with a `weight` zeroes it at its beginning.
-/// - drill brings the bit to bottom (BottomApproach), keeps `weight` by the block (WeightFeed), and ends with the brake set. Without a zero of the weight it
+/// - tag lowers until the bit takes `weight`; it zeroes the weight (tare) all the while until the string has come to move
+/// steadily, after tag_settles (and a
+///   period of the waves, where the rig heaves) and when the stand-pipe pressure is steady (or after pressure_settles), or the
+///   bit is on bottom, and counts weight from then on. Begun off bottom, but less than 5 cm, it lifts the block first: over the
+///   first 2 cm of its way down the friction of sheaves and rail turns round. slack_off with a `weight` zeroes it at its
+///   beginning.
+/// - drill brings the bit to bottom (BottomApproach), keeps `weight` by the block (WeightFeed), and ends with the brake set.
+/// Without a zero of the weight it
 ///   zeroes all the way down; where it cannot, on bottom, it fails the simulator's next frame.
-/// - slide does the same with the drive holding an angle (or rocking about it), which it turns by what the toolface lacks whenever a toolface has
+/// - slide does the same with the drive holding an angle (or rocking about it), which it turns by what the toolface lacks
+/// whenever a toolface has
 ///   come that was measured toolface_settles after the last turn.
 /// - steer commands a rotary steerable tool.
-/// - connection runs the block to where the rig's crew (crew.h) adds a stand, or takes one away, and is over when that is done; trip moves the bit to a depth, where it
-///   stands at the end, the crew making connections on the way, whatever the scene's `connections` says. Both end with the brake set, and fail the
-///   simulator's next frame where the block's way ends without the crew, and where the bit would go through the hole's bottom.
+/// - connection runs the block to where the rig's crew (crew.h) adds a stand, or takes one away, and is over when that is done;
+/// trip moves the bit to a depth, where it
+///   stands at the end, the crew making connections on the way, whatever the scene's `connections` says. Both end with the brake
+///   set, and fail the simulator's next frame where the block's way ends without the crew, and where the bit would go through the
+///   hole's bottom.
 /// - oscillate rocks the string; without a `time` it goes on while others follow.
 /// Where drill or slide gets into trouble (operation_trouble.h) the brake is set and nothing else is played.
 class OperationsPlayer
 {
 public:
-  static constexpr double toolface_settles = 8.0;  ///< [s]
-  static constexpr double tag_settles = 10.0;      ///< [s]
-  static constexpr double pressure_settles = 60.0; ///< how much longer tag waits for a steady pressure, at most [s]
+  static constexpr double toolface_settles = 8.0;   ///< [s]
+  static constexpr double tag_settles = 10.0;       ///< [s]
+  static constexpr double pressure_settles = 60.0;  ///< how much longer tag waits for a steady pressure, at most [s]
 
   /// Works out stiffness and mass of the string. Allocates; nothing else here does.
   explicit OperationsPlayer(const Scene& scene);
@@ -157,19 +168,20 @@ private:
   double progress_in_place(const RigControls& rig) const noexcept;
 
   std::vector<Operation> operations_;
-  double acceleration_;     // of the winch [m/s2]
-  double tag_settles_;      // tag_settles, and a period of the waves over which weight is a mean [s]
-  HookedString string_;     // at the start
+  double acceleration_;  // of the winch [m/s2]
+  double tag_settles_;   // tag_settles, and a period of the waves over which weight is a mean [s]
+  HookedString string_;  // at the start
   std::size_t next_ = 0;
   std::vector<double> began_;
-  double began_bit_ = 0.0, began_hole_ = 0.0, began_block_ = 0.0, began_load_ = 0.0;  // of the one under way: bit depth, hole depth, block height, hook load
+  double began_bit_ = 0.0, began_hole_ = 0.0, began_block_ = 0.0,
+         began_load_ = 0.0;  // of the one under way: bit depth, hole depth, block height, hook load
   Ramp ramp_;
   PressureTrend pressure_;
   double pressure_at_ = 0.0;  // when that was followed last [s]
   OperationTroubleWatch watch_;
   OperationTrouble trouble_ = OperationTrouble::none;
   BottomApproach approach_;
-  bool zeroes_ = false;       // the weight, all the way down to bottom
+  bool zeroes_ = false;  // the weight, all the way down to bottom
   WeightFeed feed_;
   double followed_at_ = 0.0;  // [s]
   int legs_ = 0;              // of ream, that are over

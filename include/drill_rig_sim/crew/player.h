@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_CREW_PLAYER_H
 #define DRILL_RIG_SIM_CREW_PLAYER_H
 
@@ -6,8 +7,8 @@
 
 namespace drill_rig_sim
 {
-/// Plays all that a scene says to do: the lines of its program at their times, and its operations one after the other. Where both set the same, the
-/// operation under way is the later one.
+/// Plays all that a scene says to do: the lines of its program at their times, and its operations one after the other. Where both
+/// set the same, the operation under way is the later one.
 class ScenePlayer
 {
 public:

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_CREW_PROGRAM_H
 #define DRILL_RIG_SIM_CREW_PROGRAM_H
 
@@ -35,16 +36,16 @@ struct Ramp
 /// When the last set point of a program is reached [s]; 0 for an empty one.
 double program_end(const std::vector<ProgramStep>& steps) noexcept;
 
-/// Plays a scene's program: gives the simulator each line's set points when its time has come, and those on a ramp before every frame, as
-/// they are at its beginning. A ramp begins at the set point in force at the line's time; where another mode or a brake holds the drive, at
-/// what the drive does then, and where the winch's brake holds the block, at 0. It ends early where a later line sets the same set point, the
-/// other mode or the brake.
+/// Plays a scene's program: gives the simulator each line's set points when its time has come, and those on a ramp before every
+/// frame, as they are at its beginning. A ramp begins at the set point in force at the line's time; where another mode or a brake
+/// holds the drive, at what the drive does then, and where the winch's brake holds the block, at 0. It ends early where a later
+/// line sets the same set point, the other mode or the brake.
 class ProgramPlayer
 {
 public:
   explicit ProgramPlayer(std::vector<ProgramStep> steps);
-  /// Applies every line with `at` <= the simulator's time that has not been applied yet. Call before each frame. A line that cannot be (a
-  /// stuck point below the bit, slips under a moving block) fails the simulator's next frame.
+  /// Applies every line with `at` <= the simulator's time that has not been applied yet. Call before each frame. A line that
+  /// cannot be (a stuck point below the bit, slips under a moving block) fails the simulator's next frame.
   void apply(RigControls& rig) noexcept;
   /// No line is left and no set point on its way.
   bool finished() const noexcept;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_CREW_RIG_CONTROLS_H
 #define DRILL_RIG_SIM_CREW_RIG_CONTROLS_H
 
@@ -27,7 +28,8 @@ public:
   virtual const Scene& scene() const noexcept = 0;
   /// The next frame fails for this reason (one line, static storage) unless another has failed before.
   virtual void fail(const char* reason) noexcept = 0;
-  /// Zero of surface WOB and differential pressure, where they are and where the gauges show them. False (unchanged) on bottom and in the slips.
+  /// Zero of surface WOB and differential pressure, where they are and where the gauges show them. False (unchanged) on bottom
+  /// and in the slips.
   virtual bool tare() noexcept = 0;
   /// Grips the pipe within an element of measured depth `md` [m]; false, and nothing changed, unless 0 < md <= the bit's depth.
   virtual bool stick_pipe(double md) noexcept = 0;
@@ -36,17 +38,19 @@ public:
   virtual const char* inject(const Fault& fault) noexcept = 0;
   /// The one of this kind (and gauge) ends.
   virtual void clear(FaultKind kind, Gauge gauge) noexcept = 0;
-  /// A coarser level from the next frame on: nodes up to `from_bit` above the bit's face [m] stay free, those above it are guided (0: axial_torsional; else
-  /// hybrid). What the string carries goes on as it was (model/levels.h). False, and nothing changed, where it would set guided pipe free, for that
-  /// shakes turning pipe for seconds (torque off by up to 40 %), for level rigid, for methods that know free nodes alone, and where `from_bit` is no length.
+  /// A coarser level from the next frame on: nodes up to `from_bit` above the bit's face [m] stay free, those above it are guided
+  /// (0: axial_torsional; else hybrid). What the string carries goes on as it was (model/levels.h). False, and nothing changed,
+  /// where it would set guided pipe free, for that shakes turning pipe for seconds (torque off by up to 40 %), for level rigid,
+  /// for methods that know free nodes alone, and where `from_bit` is no length.
   virtual bool set_free_length(double from_bit) noexcept = 0;
-  /// Sets the slips: they grip the joint's end nearest to the rotary table (model/forces/slips.h). Or pulls them. Null where it is done, else why not, one
-  /// line, static storage; nothing has changed then.
+  /// Sets the slips: they grip the joint's end nearest to the rotary table (model/forces/slips.h). Or pulls them. Null where it
+  /// is done, else why not, one line, static storage; nothing has changed then.
   virtual const char* set_slips(bool set) noexcept = 0;
-  /// Begins to add `joints` of the last part's pipe (0: a stand) to the string in the slips, or to `remove` them (connection.h). It is over after
-  /// connection_time, or what the block's way takes if that is longer. Null, or why not.
+  /// Begins to add `joints` of the last part's pipe (0: a stand) to the string in the slips, or to `remove` them (connection.h).
+  /// It is over after connection_time, or what the block's way takes if that is longer. Null, or why not.
   virtual const char* make_connection(int joints, bool remove) noexcept = 0;
-  /// The rig's crew makes connections wherever the block's way ends, as with `connections: auto` (crew.h); or no more, but for what it is about.
+  /// The rig's crew makes connections wherever the block's way ends, as with `connections: auto` (crew.h); or no more, but for
+  /// what it is about.
   virtual void call_crew(bool on) noexcept = 0;
 
 protected:

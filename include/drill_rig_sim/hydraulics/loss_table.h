@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_HYDRAULICS_LOSS_TABLE_H
 #define DRILL_RIG_SIM_HYDRAULICS_LOSS_TABLE_H
 
@@ -8,9 +9,10 @@ namespace drill_rig_sim
 {
 /// A pressure loss against a flow or a speed, worked out once and interpolated in a frame: odd, without a jump, growing.
 ///
-/// Nodes lie at largest (i/n)^2; between them a cubic of the square root whose slopes keep it growing (Fritsch and Butland, SIAM J. Sci. Stat. Comput. 5
-/// (1984) 300-304). Within 0.2 % of the law above a hundredth of the largest flow. Below the first node, a ten-thousandth of the largest flow, it is a
-/// straight line to 0. This replaces the yield stress by a slow creep. Above the largest flow, the last slope continues.
+/// Nodes lie at largest (i/n)^2; between them a cubic of the square root whose slopes keep it growing (Fritsch and Butland, SIAM
+/// J. Sci. Stat. Comput. 5 (1984) 300-304). Within 0.2 % of the law above a hundredth of the largest flow. Below the first node,
+/// a ten-thousandth of the largest flow, it is a straight line to 0. This replaces the yield stress by a slow creep. Above the
+/// largest flow, the last slope continues.
 class LossTable
 {
 public:

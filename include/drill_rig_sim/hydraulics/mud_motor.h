@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_HYDRAULICS_MUD_MOTOR_H
 #define DRILL_RIG_SIM_HYDRAULICS_MUD_MOTOR_H
 
@@ -9,18 +10,19 @@
 
 /// Positive-displacement mud motor: the bit's speed relative to the housing.
 ///
-/// Steady: w_ss = N_0 (1 - (T/T_stall)^b), N_0 = 2 pi Q/V, dp = 2 pi T/V: the pressure across the motor does the work of the torque, slip
-/// takes the rest of the flow's. A motor with friction inside has dp = 2 pi T/(e V), e its mechanical efficiency: callers give e V for V in dp.
-/// Q flow, V displacement per revolution of the bit, T torque on rotor and bit; b 3 to 5 for power sections as their makers draw them. Beyond stall the curve goes on along its tangent: a rotor that the string drags round backwards carries little
-/// more than T_stall. A flow below the leakage, whose pressure is not enough for the torque, does not turn it: it is locked, and has its speed from
-/// twice the leakage on. So T w is never more than dp Q.
-/// The speed follows with a time constant of 0.05 s (inertia of the rotor, compressibility of the mud in it); with that lag the speed is
-/// known at the start of a step and torque and speed are not coupled within it. The steady state is untouched.
+/// Steady: w_ss = N_0 (1 - (T/T_stall)^b), N_0 = 2 pi Q/V, dp = 2 pi T/V: the pressure across the motor does the work of the
+/// torque, slip takes the rest of the flow's. A motor with friction inside has dp = 2 pi T/(e V), e its mechanical efficiency:
+/// callers give e V for V in dp. Q flow, V displacement per revolution of the bit, T torque on rotor and bit; b 3 to 5 for power
+/// sections as their makers draw them. Beyond stall the curve goes on along its tangent: a rotor that the string drags round
+/// backwards carries little more than T_stall. A flow below the leakage, whose pressure is not enough for the torque, does not
+/// turn it: it is locked, and has its speed from twice the leakage on. So T w is never more than dp Q. The speed follows with a
+/// time constant of 0.05 s (inertia of the rotor, compressibility of the mud in it); with that lag the speed is known at the
+/// start of a step and torque and speed are not coupled within it. The steady state is untouched.
 namespace drill_rig_sim
 {
 constexpr double mud_motor_lag = 0.05;  ///< [s]
-/// Flow that passes a loaded motor without turning it: below, its pressure falls in proportion, so that what the pump has left behind
-/// leaks away through it [m3/s].
+/// Flow that passes a loaded motor without turning it: below, its pressure falls in proportion, so that what the pump has left
+/// behind leaks away through it [m3/s].
 constexpr double mud_motor_leakage = 5e-4;
 
 /// What of the flow Q >= 0 turns the motor [m3/s].
@@ -47,15 +49,17 @@ struct MudMotorSpeed
 /// @param stall_torque  T_stall > 0 [N m]
 /// @param exponent      b >= 1 [-]
 /// @param torque        T, + against the bit's turning [N m]
-inline MudMotorSpeed mud_motor_steady_speed(double flow, double displacement, double stall_torque, double exponent, double torque) noexcept
+inline MudMotorSpeed mud_motor_steady_speed(double flow, double displacement, double stall_torque, double exponent,
+                                            double torque) noexcept
 {
-  const double free = 2.0 * pi * mud_motor_turning_flow(flow) / displacement, load = std::max(0.0, torque / stall_torque), steepest = exponent * free / stall_torque;
+  const double free = 2.0 * pi * mud_motor_turning_flow(flow) / displacement, load = std::max(0.0, torque / stall_torque),
+               steepest = exponent * free / stall_torque;
   if (load > 1.0) return {steepest * (stall_torque - torque), -steepest};
   return {free * (1.0 - std::pow(load, exponent)), torque > 0.0 ? -steepest * std::pow(load, exponent - 1.0) : 0.0};
 }
 
-/// Speed at the end of a step h [s]: implicit Euler of the lag, as if the torque followed the motor's turn within the step as its slope says.
-/// Without that a stuck bit, stiff as it is, would swing against the motor.
+/// Speed at the end of a step h [s]: implicit Euler of the lag, as if the torque followed the motor's turn within the step as its
+/// slope says. Without that a stuck bit, stiff as it is, would swing against the motor.
 /// @param steady  at the torque of the step
 /// @param by_turn  dT / d (turn of the bit), >= 0 [N m/rad]
 inline double advance_mud_motor(double speed, const MudMotorSpeed& steady, double by_turn, double step) noexcept
@@ -64,8 +68,8 @@ inline double advance_mud_motor(double speed, const MudMotorSpeed& steady, doubl
   return speed + share * (steady.value - speed) / (1.0 - share * steady.slope * std::max(0.0, by_turn) * step);
 }
 
-/// Differential pressure dp = 2 pi T/V [Pa], V the displacement times the mechanical efficiency, in proportion below the leakage; zero for a torque
-/// that drives the bit on.
+/// Differential pressure dp = 2 pi T/V [Pa], V the displacement times the mechanical efficiency, in proportion below the leakage;
+/// zero for a torque that drives the bit on.
 inline double mud_motor_pressure(double flow, double displacement, double torque) noexcept
 {
   return std::clamp(flow / mud_motor_leakage, 0.0, 1.0) * 2.0 * pi * std::max(0.0, torque) / displacement;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_HYDRAULICS_RHEOLOGY_H
 #define DRILL_RIG_SIM_HYDRAULICS_RHEOLOGY_H
 
@@ -9,9 +10,10 @@
 ///
 ///   tau = tau_y + K rate^n                                                                                              (1)
 ///
-/// tau [Pa], rate [1/s], yield stress tau_y [Pa], consistency K [Pa s^n], flow behaviour index n [-]: Herschel and Bulkley, Kolloid-Zeitschrift
-/// 39 (1926) 291-300. The other laws are cases of it: Newtonian tau_y = 0, n = 1; Bingham n = 1, with the plastic viscosity K and the yield
-/// point tau_y; power law tau_y = 0. Valid for 0.1 <= n <= 1, the shear-thinning muds of API RP 13D. Gel strength and time are not in it.
+/// tau [Pa], rate [1/s], yield stress tau_y [Pa], consistency K [Pa s^n], flow behaviour index n [-]: Herschel and Bulkley,
+/// Kolloid-Zeitschrift 39 (1926) 291-300. The other laws are cases of it: Newtonian tau_y = 0, n = 1; Bingham n = 1, with the
+/// plastic viscosity K and the yield point tau_y; power law tau_y = 0. Valid for 0.1 <= n <= 1, the shear-thinning muds of API RP
+/// 13D. Gel strength and time are not in it.
 namespace drill_rig_sim
 {
 enum class RheologyLaw
@@ -34,8 +36,8 @@ struct Rheology
 /// Stress (1) at a shear rate > 0 [1/s], [Pa].
 double shear_stress(const Rheology& mud, double rate) noexcept;
 
-/// Slope of (1) between 300 and 600 rpm of a viscometer [Pa s]: the viscosity of a Newtonian mud, the plastic viscosity of a Bingham one. API RP 13B-1
-/// defines the plastic viscosity of any mud so, as R600 - R300 in cP.
+/// Slope of (1) between 300 and 600 rpm of a viscometer [Pa s]: the viscosity of a Newtonian mud, the plastic viscosity of a
+/// Bingham one. API RP 13B-1 defines the plastic viscosity of any mud so, as R600 - R300 in cP.
 double plastic_viscosity(const Rheology& mud) noexcept;
 
 /// A reading of a direct-indicating viscometer with rotor R1, bob B1 and spring F1 (Fann 35).
@@ -45,13 +47,16 @@ struct ViscometerReading
   double dial = 0.0;   ///< [deg]
 };
 
-/// Of that geometry, both from API RP 13D: a degree of the dial is 0.511 Pa (1.067 lbf/100 ft2; field formulas take 1), a rpm 1.703 1/s.
+/// Of that geometry, both from API RP 13D: a degree of the dial is 0.511 Pa (1.067 lbf/100 ft2; field formulas take 1), a
+/// rpm 1.703 1/s.
 constexpr double stress_per_dial_degree = 0.511, shear_rate_per_rpm = 1.703;
 
 /// The flow curve of a law through readings.
-/// - Herschel-Bulkley from R600, R300, R6 and R3, these four: tau_y = 2 R3 - R6, n = log2((R600 - tau_y)/(R300 - tau_y)), K = (R300 - tau_y)/511^n,
+/// - Herschel-Bulkley from R600, R300, R6 and R3, these four: tau_y = 2 R3 - R6, n = log2((R600 - tau_y)/(R300 - tau_y)), K =
+/// (R300 - tau_y)/511^n,
 ///   the measurement method of API RP 13D.
-/// - Otherwise by least squares of the stress, exact where there are as many readings as the law has parameters: Newtonian 1, Bingham and power law 2,
+/// - Otherwise by least squares of the stress, exact where there are as many readings as the law has parameters: Newtonian 1,
+/// Bingham and power law 2,
 ///   Herschel-Bulkley 3.
 /// @param readings  that readings_problem() finds nothing wrong with
 Rheology fitted(RheologyLaw law, const std::vector<ViscometerReading>& readings);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_HYDRAULICS_SECTION_LOSSES_H
 #define DRILL_RIG_SIM_HYDRAULICS_SECTION_LOSSES_H
 
@@ -35,13 +36,14 @@ struct AnnulusSection
   double critical_speed = 0.0;   ///< [m/s]
 };
 
-/// The losses of a mud with a rheology on its way, section by section, worked out once (flow_losses.h) and interpolated in a frame.
+/// The losses of a mud with a rheology on its way, section by section, worked out once (flow_losses.h) and interpolated in a
+/// frame.
 struct SectionLosses
 {
-  LossTable lines;            ///< of the surface lines, by flow [m3/s]; empty: none
-  LossTable bore;             ///< of the string's bore, by flow; empty: the scene gives no rheology
-  double density = 0.0;       ///< [kg/m3]
-  double nozzle_area = 0.0;   ///< of the bit [m2]
+  LossTable lines;           ///< of the surface lines, by flow [m3/s]; empty: none
+  LossTable bore;            ///< of the string's bore, by flow; empty: the scene gives no rheology
+  double density = 0.0;      ///< [kg/m3]
+  double nozzle_area = 0.0;  ///< of the bit [m2]
   std::vector<AnnulusSection> annulus;
   double displaced_area = 0.0;  ///< A_m: mean of the string's outside in the hole, so that it displaces A_m v [m2]
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_INSTRUMENTS_DOWNLINK_H
 #define DRILL_RIG_SIM_INSTRUMENTS_DOWNLINK_H
 
@@ -9,16 +10,16 @@ namespace drill_rig_sim
 {
 /// How a rotary steerable tool is commanded from the surface: by the flow through it, which the driller lowers and raises.
 ///
-/// A downlink is eleven bits of one length: a start bit 1, four bits of toolface in steps of 22.5 deg, four bits of ratio in tenths (0 to 10), the most
-/// significant first, a parity bit that makes the number of ones of the eight even, a stop bit 0. 1: the flow is lowered to less than `low` of what it
-/// was, but not stopped (0.3 of it); 0: as before. The tool looks at the middle of each bit from where the flow fell; a downlink that is broken, has a wrong
-/// parity or a ratio above 10 is lost, and what was in force stays. After a broken one the tool receives nothing for as long as one takes, so that its rest is
-/// no other one.
+/// A downlink is eleven bits of one length: a start bit 1, four bits of toolface in steps of 22.5 deg, four bits of ratio in
+/// tenths (0 to 10), the most significant first, a parity bit that makes the number of ones of the eight even, a stop bit 0. 1:
+/// the flow is lowered to less than `low` of what it was, but not stopped (0.3 of it); 0: as before. The tool looks at the middle
+/// of each bit from where the flow fell; a downlink that is broken, has a wrong parity or a ratio above 10 is lost, and what was
+/// in force stays. After a broken one the tool receives nothing for as long as one takes, so that its rest is no other one.
 class DownlinkReceiver
 {
 public:
   static constexpr int bits = 11;
-  static constexpr double low = 0.85, stopped = 0.3;  ///< of the flow before it
+  static constexpr double low = 0.85, stopped = 0.3;            ///< of the flow before it
   static constexpr double toolface_step = 0.39269908169872414;  ///< 22.5 deg [rad]
   static constexpr double ratio_step = 0.1;
 
@@ -47,11 +48,11 @@ public:
 private:
   std::optional<SteeringSetpoint> decode() const noexcept;
 
-  double high_ = 0.0;   // flow between downlinks [m3/s]
-  double began_ = 0.0;  // of the one under way [s]
+  double high_ = 0.0;        // flow between downlinks [m3/s]
+  double began_ = 0.0;       // of the one under way [s]
   double deaf_until_ = 0.0;  // [s]
-  int heard_ = -1;      // bits of it; -1: none is under way
-  int word_ = 0;        // these bits
+  int heard_ = -1;           // bits of it; -1: none is under way
+  int word_ = 0;             // these bits
 };
 
 }  // namespace drill_rig_sim

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_INSTRUMENTS_DYNAMICS_TOOL_H
 #define DRILL_RIG_SIM_INSTRUMENTS_DYNAMICS_TOOL_H
 
@@ -13,14 +14,14 @@ namespace drill_rig_sim
 /// What a sub sees of the string in which it sits.
 struct SubView
 {
-  double md = 0.0;            ///< [m]
-  double tension = 0.0;       ///< effective, + tension [N]
-  double weight_below = 0.0;  ///< of what hangs below it in mud, along the string [N]
-  double torque = 0.0;        ///< + drives what is below clockwise looking downhole [N m]
-  double bending_moment = 0.0;  ///< [N m]
-  double spin_speed = 0.0;      ///< [rad/s]
-  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();        ///< [m/s]
-  Eigen::Vector3d axis = -Eigen::Vector3d::UnitZ();          ///< along the string, towards the bit
+  double md = 0.0;                                     ///< [m]
+  double tension = 0.0;                                ///< effective, + tension [N]
+  double weight_below = 0.0;                           ///< of what hangs below it in mud, along the string [N]
+  double torque = 0.0;                                 ///< + drives what is below clockwise looking downhole [N m]
+  double bending_moment = 0.0;                         ///< [N m]
+  double spin_speed = 0.0;                             ///< [rad/s]
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  ///< [m/s]
+  Eigen::Vector3d axis = -Eigen::Vector3d::UnitZ();    ///< along the string, towards the bit
 };
 
 /// A tool that measures in each frame and sends what came of it by periods, late and not without flow, as the MWD does (mwd.h).

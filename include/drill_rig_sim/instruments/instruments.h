@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_INSTRUMENTS_INSTRUMENTS_H
 #define DRILL_RIG_SIM_INSTRUMENTS_INSTRUMENTS_H
 
@@ -21,8 +22,8 @@ class RateMeter
 public:
   static constexpr double window = 10.0;  ///< [s]
 
-  /// Mean rate from the oldest sample within the window to `depth` [m] at `time` [s]; [m/s]. 0 for the first sample. Where calls are further
-  /// apart than the window: from the last one.
+  /// Mean rate from the oldest sample within the window to `depth` [m] at `time` [s]; [m/s]. 0 for the first sample. Where calls
+  /// are further apart than the window: from the last one.
   double rate(double depth, double time) noexcept;
   /// Moves all it remembers by `shift` [s].
   void shift_time(double shift) noexcept;
@@ -53,8 +54,8 @@ private:
   std::size_t newest_ = 0, held_ = 0;
 };
 
-/// Pulsation of a triplex pump after its damper, relative: a sin(2 pi 3 s) of its strokes s, each of which turns the crank once and moves three pistons.
-/// Higher harmonics and reflections in the lines are left out.
+/// Pulsation of a triplex pump after its damper, relative: a sin(2 pi 3 s) of its strokes s, each of which turns the crank once
+/// and moves three pistons. Higher harmonics and reflections in the lines are left out.
 double pulsation_of(double amplitude, double strokes) noexcept;
 
 /// The rig's gauges and what is worked out from them: from the truth to the readings, as signals.h (Readings) says.
@@ -108,12 +109,12 @@ private:
   void work_out_depths(Readings& readings) noexcept;
 
   HookLoadPlace place_ = HookLoadPlace::dead_line;
-  double block_weight_ = 0.0;  // with top drive [N]
-  double pump_noise_ = 0.0;    // of the stand-pipe pressure, as a share of it [-]
+  double block_weight_ = 0.0;               // with top drive [N]
+  double pump_noise_ = 0.0;                 // of the stand-pipe pressure, as a share of it [-]
   std::array<Sensor, gauge_count> gauges_;  // by Gauge; the first at the block
   Mwd mwd_;
   DynamicsTool dynamics_;
-  double tally_ = 0.0;  // of the pipe from the bit's face to the top-drive shaft [m]
+  double tally_ = 0.0;       // of the pipe from the bit's face to the top-drive shaft [m]
   double hole_depth_ = 0.0;  // the bit's deepest so far [m]
   RateMeter rop_;
   PeriodMean hook_load_mean_;  // over a period of the waves: for mean_surface_wob

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_INSTRUMENTS_MWD_H
 #define DRILL_RIG_SIM_INSTRUMENTS_MWD_H
 
@@ -15,19 +16,20 @@ namespace drill_rig_sim
 /// What the MWD's sensor sees, and the tools beside it.
 struct SensorView
 {
-  double md = 0.0;                                      ///< [m]
-  Eigen::Vector3d axis = -Eigen::Vector3d::UnitZ();     ///< along the string, towards the bit
-  Eigen::Vector3d scribe = Eigen::Vector3d::UnitY();    ///< across the string: the bend's direction without twist
-  double spin_speed = 0.0;                              ///< of the pipe [rad/s]
-  bool in_slips = false;                                ///< the slips bear the string: where the block is says nothing of the bit
-  double pump_strokes = 0.0;                            ///< since the start, with parts of a stroke
-  SubView sub;                                          ///< what the tool of dynamics sees
+  double md = 0.0;                                    ///< [m]
+  Eigen::Vector3d axis = -Eigen::Vector3d::UnitZ();   ///< along the string, towards the bit
+  Eigen::Vector3d scribe = Eigen::Vector3d::UnitY();  ///< across the string: the bend's direction without twist
+  double spin_speed = 0.0;                            ///< of the pipe [rad/s]
+  bool in_slips = false;                              ///< the slips bear the string: where the block is says nothing of the bit
+  double pump_strokes = 0.0;                          ///< since the start, with parts of a stroke
+  SubView sub;                                        ///< what the tool of dynamics sees
 };
 
-/// Measurement while drilling: surveys by period, or after a pumps-off/on cycle when the period is 0, the faster toolface and the continuous
-/// inclination; each reaches the surface late. Telemetry by pulses in the mud: nothing is sent without flow, and what is on its way then
-/// waits. The survey of a cycle is taken in the quiet, quiet_time after the flow has stopped (a cycle that is over earlier has none), or where
-/// that is 0 as the flow comes back. A pipe that turns faster than max_speed shows its accelerometers no steady high side: no toolface.
+/// Measurement while drilling: surveys by period, or after a pumps-off/on cycle when the period is 0, the faster toolface and the
+/// continuous inclination; each reaches the surface late. Telemetry by pulses in the mud: nothing is sent without flow, and what
+/// is on its way then waits. The survey of a cycle is taken in the quiet, quiet_time after the flow has stopped (a cycle that is
+/// over earlier has none), or where that is 0 as the flow comes back. A pipe that turns faster than max_speed shows its
+/// accelerometers no steady high side: no toolface.
 class Mwd
 {
 public:

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_INSTRUMENTS_SENSOR_H
 #define DRILL_RIG_SIM_INSTRUMENTS_SENSOR_H
 
@@ -51,19 +52,22 @@ struct SensorFault
   }
 };
 
-/// A surface sensor: what it measures is delayed and filtered to first order, sampled at its rate, offset, noisy, and shown in steps of its
-/// resolution. With SensorSpec's defaults it shows the signal to the last bit.
+/// A surface sensor: what it measures is delayed and filtered to first order, sampled at its rate, offset, noisy, and shown in
+/// steps of its resolution. With SensorSpec's defaults it shows the signal to the last bit.
 ///
 /// - Filter: y' = (x - y)/T, exact for a signal x that is held between samples: y_n = x_n + (y_n-1 - x_n) e^(-h/T).
-/// - Drift: the bias goes on by a random walk, b_n = b_n-1 + K sqrt(h) N(0, 1) from 0 at the start, so that after a time t its standard
+/// - Drift: the bias goes on by a random walk, b_n = b_n-1 + K sqrt(h) N(0, 1) from 0 at the start, so that after a time t its
+/// standard
 ///   deviation is K sqrt(t): the rate random walk of IEEE Std 952-1997, annex C.
-/// - Outliers: a Poisson process with the mean interval I. A sample that comes h after the one before is off by plus or minus the outliers' size with the
+/// - Outliers: a Poisson process with the mean interval I. A sample that comes h after the one before is off by plus or minus the
+/// outliers' size with the
 ///   probability 1 - e^(-h/I), by each sign as likely.
-/// - Drop-outs: two states, good and lost, left at random at the rates a = 1/interval and b = 1/duration (Gilbert, Bell System Technical
-///   Journal 39 (1960), 1253-1265, in continuous time). From a frame to the next, h later, a good one is lost with the probability
-///   a/(a + b) (1 - e^(-(a + b) h)), a lost one good with b/(a + b) (...): of all time b/(a + b) is good. A gauge that is lost shows its last
-///   reading, as a rig's acquisition does that substitutes the last good value, and is_lost() reports it, as the current of a loop does that
-///   has left 4 to 20 mA (NAMUR NE 43).
+/// - Drop-outs: two states, good and lost, left at random at the rates a = 1/interval and b = 1/duration (Gilbert, Bell System
+/// Technical
+///   Journal 39 (1960), 1253-1265, in continuous time). From a frame to the next, h later, a good one is lost with the
+///   probability a/(a + b) (1 - e^(-(a + b) h)), a lost one good with b/(a + b) (...): of all time b/(a + b) is good. A gauge
+///   that is lost shows its last reading, as a rig's acquisition does that substitutes the last good value, and is_lost() reports
+///   it, as the current of a loop does that has left 4 to 20 mA (NAMUR NE 43).
 class Sensor
 {
 public:
@@ -126,7 +130,7 @@ private:
   double last_time_ = 0.0;
   bool started_ = false;
   double next_sample_ = 0.0, last_sample_ = 0.0;  // [s]
-  double wandered_ = 0.0;  // of the bias, by its drift
+  double wandered_ = 0.0;                         // of the bias, by its drift
   bool lost_ = false;
   double shown_ = 0.0;
 };

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_INSTRUMENTS_SIGNAL_ROWS_H
 #define DRILL_RIG_SIM_INSTRUMENTS_SIGNAL_ROWS_H
 
@@ -22,15 +23,15 @@ struct SignalRow
 {
   const char* name;
   SignalOf of;
-  bool by_gauge;       ///< with errors of its own
-  const char* type;    ///< in messages; "": in files only
-  const char* field;   ///< in messages
+  bool by_gauge;      ///< with errors of its own
+  const char* type;   ///< in messages; "": in files only
+  const char* field;  ///< in messages
   Dimension dimension;
   const char* quantity;  ///< the dimension in a word, "force"
   const char* mnemonic;  ///< in WITSML files; "": none
   int item;              ///< in record 01 of WITS level 0; 0: none
   const char* meaning;
-  const char* reading;  ///< how the reading is made; "": there is none
+  const char* reading;                     ///< how the reading is made; "": there is none
   double (*in_truth)(const Truth&);        ///< flags are 0 or 1; null: not of the truth
   double (*in_readings)(const Readings&);  ///< NaN until zeroed; null: not of the readings
 };

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_INSTRUMENTS_SIGNALS_H
 #define DRILL_RIG_SIM_INSTRUMENTS_SIGNALS_H
 
@@ -88,16 +89,16 @@ const char* text_of(CrewTask task) noexcept;
 struct DynamicsReading
 {
   std::uint64_t sequence = 0;
-  double time = 0.0;      ///< simulated time of the interval's end [s]
-  double md = 0.0;        ///< the tool's measured depth [m]
-  double duration = 0.0;  ///< [s]
-  double weight = 0.0;    ///< mean [N]
-  double torque = 0.0;    ///< mean [N m]
-  double bending_moment = 0.0;  ///< largest [N m]
+  double time = 0.0;                                           ///< simulated time of the interval's end [s]
+  double md = 0.0;                                             ///< the tool's measured depth [m]
+  double duration = 0.0;                                       ///< [s]
+  double weight = 0.0;                                         ///< mean [N]
+  double torque = 0.0;                                         ///< mean [N m]
+  double bending_moment = 0.0;                                 ///< largest [N m]
   double speed = 0.0, least_speed = 0.0, largest_speed = 0.0;  ///< the first its mean [rad/s]
-  double stick_slip = 0.0;            ///< index [-]
-  double axial_acceleration = 0.0;    ///< largest [m/s2]
-  double lateral_acceleration = 0.0;  ///< [m/s2]
+  double stick_slip = 0.0;                                     ///< index [-]
+  double axial_acceleration = 0.0;                             ///< largest [m/s2]
+  double lateral_acceleration = 0.0;                           ///< [m/s2]
 
   template <class V>
   void visit(V& v)
@@ -161,7 +162,10 @@ struct ShownSignals : RigSignals
 #include "drill_rig_sim/scene/signal_list.h"
 
   /// surface_wob or differential_pressure for a file or a display: NaN, an empty cell there, until they have been zeroed.
-  double zeroed(double value) const noexcept { return tared ? value : std::numeric_limits<double>::quiet_NaN(); }
+  double zeroed(double value) const noexcept
+  {
+    return tared ? value : std::numeric_limits<double>::quiet_NaN();
+  }
 
   template <class V>
   void visit(V& v)
@@ -176,18 +180,20 @@ struct ShownSignals : RigSignals
 struct Truth : TrueSignals
 {
   Eigen::Vector3d bit_position = Eigen::Vector3d::Zero();  ///< centre of the bit's face [m]
-  Eigen::Quaterniond bit_orientation = Eigen::Quaterniond::Identity();  ///< x along the bit's axis, downhole; turns with the bit (motor included)
+  Eigen::Quaterniond bit_orientation =
+      Eigen::Quaterniond::Identity();  ///< x along the bit's axis, downhole; turns with the bit (motor included)
   Eigen::Vector3d bit_velocity = Eigen::Vector3d::Zero();          ///< of the bit's face, world axes [m/s]
   Eigen::Vector3d bit_angular_velocity = Eigen::Vector3d::Zero();  ///< world axes, motor included [rad/s]
-  Eigen::Vector3d bit_force = Eigen::Vector3d::Zero();    ///< rock on bit, world axes [N]
-  Eigen::Vector3d bit_moment = Eigen::Vector3d::Zero();   ///< rock on bit about the bit's centre, world axes [N m]
-  double wob = 0.0;               ///< >= 0 [N]
-  double bit_torque = 0.0;        ///< of the rock on the bit's face, >= 0 when it resists clockwise turning; the gauge's friction on the wall is not in it [N m]
-  double bit_flow = 0.0;          ///< through motor and bit [m3/s]
-  double bit_speed = 0.0;         ///< string below the motor plus motor [rad/s]
-  double bit_inclination = 0.0;   ///< of the hole at its bottom [rad]
-  double bit_azimuth = 0.0;       ///< [rad], 0 .. 2 pi
-  double bend_toolface = 0.0;     ///< of the bend itself [rad]
+  Eigen::Vector3d bit_force = Eigen::Vector3d::Zero();             ///< rock on bit, world axes [N]
+  Eigen::Vector3d bit_moment = Eigen::Vector3d::Zero();            ///< rock on bit about the bit's centre, world axes [N m]
+  double wob = 0.0;                                                ///< >= 0 [N]
+  double bit_torque = 0.0;  ///< of the rock on the bit's face, >= 0 when it resists clockwise turning; the gauge's friction on
+                            ///< the wall is not in it [N m]
+  double bit_flow = 0.0;    ///< through motor and bit [m3/s]
+  double bit_speed = 0.0;   ///< string below the motor plus motor [rad/s]
+  double bit_inclination = 0.0;  ///< of the hole at its bottom [rad]
+  double bit_azimuth = 0.0;      ///< [rad], 0 .. 2 pi
+  double bend_toolface = 0.0;    ///< of the bend itself [rad]
 
   template <class V>
   void visit(V& v)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_INSTRUMENTS_ZERO_MEAN_H
 #define DRILL_RIG_SIM_INSTRUMENTS_ZERO_MEAN_H
 
@@ -22,11 +23,11 @@ struct HungString
   double ring_period(double block_mass) const noexcept;
 };
 
-/// The hook load of which a zero of the weight is taken: its mean over whole periods in which the string rings in the lines, at least shortest_mean; of a
-/// floating rig over a period of the waves. On a rig that does not heave the mean begins anew where the block starts, stops or turns back, and where the
-/// string starts or stops turning: friction acts another way then. A block that starts has to move by twice sheave_presliding first, over which the friction of
-/// its sheaves turns round. A mean over a duration that is asked for begins anew there too, and where the pump's set point changes, and on bottom and in the
-/// slips.
+/// The hook load of which a zero of the weight is taken: its mean over whole periods in which the string rings in the lines, at
+/// least shortest_mean; of a floating rig over a period of the waves. On a rig that does not heave the mean begins anew where the
+/// block starts, stops or turns back, and where the string starts or stops turning: friction acts another way then. A block that
+/// starts has to move by twice sheave_presliding first, over which the friction of its sheaves turns round. A mean over a
+/// duration that is asked for begins anew there too, and where the pump's set point changes, and on bottom and in the slips.
 class ZeroMean
 {
 public:

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_INSTRUMENTS_ZERO_WINDOW_H
 #define DRILL_RIG_SIM_INSTRUMENTS_ZERO_WINDOW_H
 
@@ -9,15 +10,16 @@ namespace drill_rig_sim
 /// Mean and standard deviation of hook load and stand-pipe pressure over the time before a zero of the weight.
 struct Zero
 {
-  double duration = 0.0;                      ///< that they are of [s]
-  double hook_load = 0.0;                     ///< [N]
-  double hook_load_deviation = 0.0;           ///< [N]
-  double stand_pipe_pressure = 0.0;           ///< [Pa]
-  double stand_pipe_pressure_deviation = 0.0; ///< [Pa]
+  double duration = 0.0;                       ///< that they are of [s]
+  double hook_load = 0.0;                      ///< [N]
+  double hook_load_deviation = 0.0;            ///< [N]
+  double stand_pipe_pressure = 0.0;            ///< [Pa]
+  double stand_pipe_pressure_deviation = 0.0;  ///< [Pa]
 };
 
-/// Hook load and stand-pipe pressure of the last minute, as means and variances of quarters of a second: for a zero over a duration that is asked for
-/// afterwards, so that no frame has to wait for it. Readings are weighted by the time since the one before.
+/// Hook load and stand-pipe pressure of the last minute, as means and variances of quarters of a second: for a zero over a
+/// duration that is asked for afterwards, so that no frame has to wait for it. Readings are weighted by the time since the one
+/// before.
 class ZeroWindow
 {
 public:
@@ -30,7 +32,8 @@ public:
   void restart() noexcept;
   /// How much it holds, at most some longest [s].
   double held() const noexcept { return held_; }
-  /// Over the last `duration` [s], or up to a quarter of a second (or a frame, if that is longer) more; over all it holds if that is less.
+  /// Over the last `duration` [s], or up to a quarter of a second (or a frame, if that is longer) more; over all it holds if that
+  /// is less.
   Zero over(double duration) const noexcept;
   /// Moves the time of the last reading by `shift` [s].
   void shift_time(double shift) noexcept { last_ += shift; }
@@ -50,7 +53,8 @@ private:
   static constexpr double part_length = 0.25;  // [s]
   static constexpr std::size_t most_parts = static_cast<std::size_t>(longest / part_length) + 1;
 
-  /// Mean of a signal and the integral of its squared deviation, by West (Comm. ACM 22, 1979, 532): sums of squares would lose digits.
+  /// Mean of a signal and the integral of its squared deviation, by West (Comm. ACM 22, 1979, 532): sums of squares would lose
+  /// digits.
   struct Moments
   {
     double mean = 0.0, square = 0.0;

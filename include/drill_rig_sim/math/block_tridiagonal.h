@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_MATH_BLOCK_TRIDIAGONAL_H
 #define DRILL_RIG_SIM_MATH_BLOCK_TRIDIAGONAL_H
 
@@ -12,9 +13,9 @@ struct BlockRows;
 struct BlockSweeps;
 struct SweepRow;
 
-/// A square matrix of blocks on three diagonals, not assumed symmetric, and its direct solution. A block row has six unknowns, or two
-/// where it is small; vectors have six places for either, those of a small row are its first two.
-/// Blocks are row-major and contiguous: block i of a diagonal starts at 36 i, a small one at 4 i.
+/// A square matrix of blocks on three diagonals, not assumed symmetric, and its direct solution. A block row has six unknowns, or
+/// two where it is small; vectors have six places for either, those of a small row are its first two. Blocks are row-major and
+/// contiguous: block i of a diagonal starts at 36 i, a small one at 4 i.
 class BlockTridiagonal
 {
 public:
@@ -33,16 +34,16 @@ public:
   Block diagonal(int i) noexcept { return Block(diagonal_.data() + 36 * i); }
   Block upper(int i) noexcept { return Block(upper_.data() + 36 * i); }  ///< block (i, i + 1)
   Block lower(int i) noexcept { return Block(lower_.data() + 36 * i); }  ///< block (i + 1, i)
-  /// The same of small rows; the others are between two of them. Where a small row meets one of six, upper() and lower() hold their
-  /// block in its first two rows or columns, and zeros in the others.
+  /// The same of small rows; the others are between two of them. Where a small row meets one of six, upper() and lower() hold
+  /// their block in its first two rows or columns, and zeros in the others.
   SmallBlock small_diagonal(int i) noexcept { return SmallBlock(small_diagonal_.data() + 4 * i); }
   SmallBlock small_upper(int i) noexcept { return SmallBlock(small_upper_.data() + 4 * i); }
   SmallBlock small_lower(int i) noexcept { return SmallBlock(small_lower_.data() + 4 * i); }
 
-  /// Solves A x = b in place of `b` (6 n numbers) by block elimination; the blocks are overwritten with what solve_again() needs. The scalar
-  /// kernel goes from the first row to the last, others from both ends to the middle.
-  /// Pivots stay within a block's diagonal order: meant for matrices dominated by inertia and stiffness.
-  /// Returns false, with b undefined, at a vanishing or non-finite pivot.
+  /// Solves A x = b in place of `b` (6 n numbers) by block elimination; the blocks are overwritten with what solve_again() needs.
+  /// The scalar kernel goes from the first row to the last, others from both ends to the middle. Pivots stay within a block's
+  /// diagonal order: meant for matrices dominated by inertia and stiffness. Returns false, with b undefined, at a vanishing or
+  /// non-finite pivot.
   bool solve(double* b) noexcept;
   /// Solves with the matrix of the last solve(), which must have succeeded, for another `b`: a seventh of its work.
   void solve_again(double* b) const noexcept;
@@ -52,7 +53,8 @@ public:
 private:
   int middle() const noexcept;
   template <class SmallRow, class SixRows>
-  void sweep(SweepRow first, int left_first, SweepRow second, int left_second, SmallRow&& small_row, SixRows&& six_rows) const noexcept;
+  void sweep(SweepRow first, int left_first, SweepRow second, int left_second, SmallRow&& small_row,
+             SixRows&& six_rows) const noexcept;
   void subtract_from_small(SweepRow at) noexcept;
   void subtract_from_right(SweepRow at, double* b) const noexcept;
   void substitute_small(SweepRow at, double* b) const noexcept;

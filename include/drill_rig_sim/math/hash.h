@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_MATH_HASH_H
 #define DRILL_RIG_SIM_MATH_HASH_H
 
@@ -6,7 +7,8 @@
 
 namespace drill_rig_sim
 {
-/// FNV-1a, 64 bits (Fowler, Noll and Vo): for telling values apart; no defence against forgery. `from`: goes on from an earlier hash.
+/// FNV-1a, 64 bits (Fowler, Noll and Vo): for telling values apart; no defence against forgery. `from`: goes on from an earlier
+/// hash.
 inline std::uint64_t hash_bytes(const void* data, std::size_t size, std::uint64_t from = 0xcbf29ce484222325ull) noexcept
 {
   const auto* bytes = static_cast<const unsigned char*>(data);

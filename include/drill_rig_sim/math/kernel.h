@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_MATH_KERNEL_H
 #define DRILL_RIG_SIM_MATH_KERNEL_H
 
@@ -5,9 +6,9 @@
 
 namespace drill_rig_sim
 {
-/// Which instructions of the processor the batch kernels are made of: one per source and kernel, all in the same binary, chosen when a
-/// rig is built (`numerics.kernel`, Model::kernel()) and carried as a value. A run is bit-identical to another by the same kernel alone:
-/// kernels differ in rounding, by the order of sums and by fused multiplication and addition.
+/// Which instructions of the processor the batch kernels are made of: one per source and kernel, all in the same binary, chosen
+/// when a rig is built (`numerics.kernel`, Model::kernel()) and carried as a value. A run is bit-identical to another by the same
+/// kernel alone: kernels differ in rounding, by the order of sums and by fused multiplication and addition.
 enum class Kernel
 {
   automatic,  ///< the best that machine and build have

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Matrices of 3 x 3 as sums of dyads, for numbers of type V; behind math/vector_text.h. No include guard: it is another text for
 // each V.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_MATH_ROTATION_H
 #define DRILL_RIG_SIM_MATH_ROTATION_H
 
@@ -44,9 +45,10 @@ inline Eigen::Vector3d y_axis(const Eigen::Quaterniond& q)
                          2.0 * (q.y() * q.z() + q.w() * q.x()));
 }
 
-/// The smallest rotation that takes the direction of `from` to that of `to`, neither of them zero: with c the cosine of the angle between the
-/// unit vectors a and b, (w, v) = (s/2, a x b / s), s = sqrt(2 (1 + c)); a half turn is about any axis across. As Eigen's FromTwoVectors, but
-/// for the singular value decomposition by which that finds the half turn's axis: it takes four seconds to compile.
+/// The smallest rotation that takes the direction of `from` to that of `to`, neither of them zero: with c the cosine of the angle
+/// between the unit vectors a and b, (w, v) = (s/2, a x b / s), s = sqrt(2 (1 + c)); a half turn is about any axis across. As
+/// Eigen's FromTwoVectors, but for the singular value decomposition by which that finds the half turn's axis: it takes four
+/// seconds to compile.
 inline Eigen::Quaterniond shortest_turn(const Eigen::Vector3d& from, const Eigen::Vector3d& to) noexcept
 {
   const Eigen::Vector3d a = from.normalized(), b = to.normalized();

@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_MATH_SHOWN_UNITS_H
 #define DRILL_RIG_SIM_MATH_SHOWN_UNITS_H
 
-/// THE place that says in which unit, and with how many decimals, a number is shown: by the runner's commands and by rviz's console.
-/// drill_rig_sim/units.py says the same for Python. Messages and files stay in SI.
+/// THE place that says in which unit, and with how many decimals, a number is shown: by the runner's commands and by rviz's
+/// console. drill_rig_sim/units.py says the same for Python. Messages and files stay in SI.
 namespace drill_rig_sim
 {
 enum class UnitSystem
@@ -27,11 +28,11 @@ enum class Dimension
   speed,
   angle,
   density,
-  strokes,         // of a pump, per time
+  strokes,  // of a pump, per time
   force_per_length,
   mass,
   volume,
-  dogleg,          // change of direction per length
+  dogleg,  // change of direction per length
   torsional_damping,
   torsional_stiffness,
   share,
@@ -43,7 +44,8 @@ enum class Dimension
 struct Unit
 {
   const char* name;  // "" for a mere number
-  double per_si;     // shown units in one SI unit (N, N m, rad/s, m/s, Pa, m3/s, m, m2, rad, kg/m3, 1/s, N/m, kg, m3, rad/m, N m s/rad, N m/rad)
+  double per_si;     // shown units in one SI unit (N, N m, rad/s, m/s, Pa, m3/s, m, m2, rad, kg/m3, 1/s, N/m, kg, m3, rad/m, N m
+                     // s/rad, N m/rad)
   int decimals;      // that are shown
 };
 

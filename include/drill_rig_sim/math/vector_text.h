@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Vectors whose components are numbers of a type V, so that one text of a law serves a double and the lanes of a register: the
 // sources of batch kernels include it through math/lanes.h inside their namespace, one_lane.h for V = double. No include guard:
 // it is another text for each V.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_MATH_VISIT_H
 #define DRILL_RIG_SIM_MATH_VISIT_H
 
@@ -15,9 +16,9 @@
 
 /// Values that list their own fields.
 ///
-/// A struct has one member, `template <class V> void visit(V& v)`, that calls v(name, field) for every field; structs inside structs have
-/// their own. From this one list come the bytes of a value, its equality and its file: nothing can be forgotten in one of them. What is
-/// not listed is not part of the value.
+/// A struct has one member, `template <class V> void visit(V& v)`, that calls v(name, field) for every field; structs inside
+/// structs have their own. From this one list come the bytes of a value, its equality and its file: nothing can be forgotten in
+/// one of them. What is not listed is not part of the value.
 namespace drill_rig_sim
 {
 /// Walks down to the leaves: numbers, truth values, enumerators. `Leaf` is called as leaf(path, number&).
@@ -89,8 +90,8 @@ void visit_numbers(T& value, Leaf& leaf)
   value.visit(walk);
 }
 
-/// Names and types of the fields of a value, whatever their values are: what two versions of a program must have in common if one is to read the other's
-/// bytes. Of a vector's entries those of one made by default count; of enumerators the size.
+/// Names and types of the fields of a value, whatever their values are: what two versions of a program must have in common if one
+/// is to read the other's bytes. Of a vector's entries those of one made by default count; of enumerators the size.
 class FieldNames
 {
 public:
@@ -122,7 +123,11 @@ private:
   void take(T& field)
   {
     if constexpr (std::is_arithmetic_v<T> || std::is_enum_v<T>)
-      write((std::is_enum_v<T> ? "enum" : std::is_floating_point_v<T> ? "float" : std::is_signed_v<T> ? "int" : "unsigned") + std::to_string(sizeof(T)));
+      write((std::is_enum_v<T>             ? "enum"
+             : std::is_floating_point_v<T> ? "float"
+             : std::is_signed_v<T>         ? "int"
+                                           : "unsigned") +
+            std::to_string(sizeof(T)));
     else
       field.visit(*this);
   }
@@ -163,8 +168,8 @@ std::uint64_t fields_hash(const T& value)
 template <class T>
 std::vector<unsigned char> to_bytes(const T& value);
 
-/// Reads what to_bytes() of the same struct wrote. False: the bytes end early or late, or hold a vector of more entries than there are
-/// bytes left; `value` is then half read, to be thrown away.
+/// Reads what to_bytes() of the same struct wrote. False: the bytes end early or late, or hold a vector of more entries than
+/// there are bytes left; `value` is then half read, to be thrown away.
 template <class T>
 bool from_bytes(const std::vector<unsigned char>& bytes, T& value);
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_MODEL_EVALUATE_H
 #define DRILL_RIG_SIM_MODEL_EVALUATE_H
 
@@ -10,22 +11,23 @@
 
 namespace drill_rig_sim
 {
-/// The mechanics of rig, string, well and rock: residual and tangent of one stage, and what follows once a step is accepted. All are free
-/// functions of Model, State and Stage; a Workspace is only written, never read for what an earlier call left in it, but by update(),
-/// commit() and advance_discrete(), which belong to the evaluate() before them.
+/// The mechanics of rig, string, well and rock: residual and tangent of one stage, and what follows once a step is accepted. All
+/// are free functions of Model, State and Stage; a Workspace is only written, never read for what an earlier call left in it, but
+/// by update(), commit() and advance_discrete(), which belong to the evaluate() before them.
 ///
-/// The top node is the shaft of the top drive: height and spin are free, the rest is held by the guide rail (rows of the identity). The
-/// block's mass moves with it; the rotor is condensed into the spin's row.
+/// The top node is the shaft of the top drive: height and spin are free, the rest is held by the guide rail (rows of the
+/// identity). The block's mass moves with it; the rotor is condensed into the spin's row.
 
 /// Residual R(u) and, unless null, its tangent dR/du. u, residual: 6 per node, bit first [m, rad], [N, N m].
 void evaluate(const Model& model, const State& start, const Stage& stage, const double* u, Workspace& work, double* residual,
               BlockTridiagonal* tangent) noexcept;
 
 /// The same for statics (begin_static()): top node held at its height and spin, no rig.
-void evaluate_static(const Model& model, const State& start, const Stage& stage, const double* u, Workspace& work, double* residual,
-                     BlockTridiagonal* tangent) noexcept;
+void evaluate_static(const Model& model, const State& start, const Stage& stage, const double* u, Workspace& work,
+                     double* residual, BlockTridiagonal* tangent) noexcept;
 
-/// After a solution u: all results of evaluate() there, without the string's own forces, inertia and tangent, which nobody asks for.
+/// After a solution u: all results of evaluate() there, without the string's own forces, inertia and tangent, which nobody asks
+/// for.
 void update(const Model& model, const State& start, const Stage& stage, const double* u, Workspace& work) noexcept;
 
 /// Writes the accepted stage's places and rates into `state`, which may be the start itself.
@@ -33,9 +35,11 @@ void commit(const Stage& stage, const Workspace& work, State& state) noexcept;
 /// The one place where bristles, hoist, drive, motor, rock and the clock move on; after commit(). The hole is extended by the
 /// rock-breaking velocity times the step, or by what the stage knows of its bottom.
 void advance_discrete(const Model& model, const Stage& stage, Workspace& work, State& state) noexcept;
-/// Torque that the mud's pressure over the motor carries: the rotor's, of a locked one that at which it stalls [N m]. Needs a motor.
+/// Torque that the mud's pressure over the motor carries: the rotor's, of a locked one that at which it stalls [N m]. Needs a
+/// motor.
 double motor_load(const Model& model, const State& state) noexcept;
-/// Pump, mud and flow over a step [s], ahead of the string's: the flow of the step that comes, against the torque of the step before.
+/// Pump, mud and flow over a step [s], ahead of the string's: the flow of the step that comes, against the torque of the step
+/// before.
 /// @param commanded  of the pump [m3/s]
 void advance_mud(const Model& model, double commanded, double step, State& state) noexcept;
 /// The same in statics: bristles alone.
@@ -56,9 +60,10 @@ inline Vector6d in_step_axes(const NodeRate& rate, const Eigen::Vector3d& normal
 /// Tension, torque and bending moment along the string at the stage last evaluated or updated, into work.result.forces.
 void find_string_forces(const Model& model, const State& start, const Stage& stage, Workspace& work) noexcept;
 
-/// Velocity of the hole's bottom under the bit at the stage's forces: the three-dimensional rock-breaking velocity, as far as the body that follows the bit
-/// lets the hole turn (well/turn_limit.h) [m/s]; of the regenerative law none: there the bottom moves by what is cut, between steps.
-/// `state`: of the hole and its rock; `drilling_speed`: BitDrive's [rad/s]; `bit_axis`: unit, downhole.
+/// Velocity of the hole's bottom under the bit at the stage's forces: the three-dimensional rock-breaking velocity, as far as the
+/// body that follows the bit lets the hole turn (well/turn_limit.h) [m/s]; of the regenerative law none: there the bottom moves
+/// by what is cut, between steps. `state`: of the hole and its rock; `drilling_speed`: BitDrive's [rad/s]; `bit_axis`: unit,
+/// downhole.
 Eigen::Vector3d rock_velocity(const Model& model, const State& state, const RigForces& forces, double drilling_speed,
                               const Eigen::Vector3d& bit_axis) noexcept;
 
@@ -74,21 +79,25 @@ struct GivenNode
   Vector6d rate;       ///< velocity and angular velocity, world axes [m/s, rad/s]
 };
 
-/// A motion that somebody else integrates. `stage` of the calls below: its dv_du, motor, bottom, time, and the normals at the start of the step are looked at.
+/// A motion that somebody else integrates. `stage` of the calls below: its dv_du, motor, bottom, time, and the normals at the
+/// start of the step are looked at.
 struct GivenMotion
 {
   std::vector<GivenNode> nodes;
   GivenNode bit;  ///< of the bit as a body of its own, on the string's lowest node
 };
 
-/// All forces but the rig's at a given motion: no inertia, nothing held. `string`: of elements, weight and mud on the nodes; `contact`:
-/// of wall, rock, stuck point and the bit's weight, row 0 on the bit as a body of its own; both 6 per node, overwritten: force and moment
-/// that must be put on the node so that it does not accelerate (world axes). Tangents, unless null: with respect to positions and spatial
-/// rotations, plus the stage's dv_du times that with respect to the rates; that of `contact` has diagonal blocks only.
+/// All forces but the rig's at a given motion: no inertia, nothing held. `string`: of elements, weight and mud on the nodes;
+/// `contact`: of wall, rock, stuck point and the bit's weight, row 0 on the bit as a body of its own; both 6 per node,
+/// overwritten: force and moment that must be put on the node so that it does not accelerate (world axes). Tangents, unless null:
+/// with respect to positions and spatial rotations, plus the stage's dv_du times that with respect to the rates; that of
+/// `contact` has diagonal blocks only.
 void evaluate_motion(const Model& model, const State& start, const Stage& stage, const GivenMotion& motion, Workspace& work,
-                     double* string, double* contact, BlockTridiagonal* string_tangent, BlockTridiagonal* contact_tangent) noexcept;
+                     double* string, double* contact, BlockTridiagonal* string_tangent,
+                     BlockTridiagonal* contact_tangent) noexcept;
 /// Row 0 of `contact` alone.
-Vector6d evaluate_bit_motion(const Model& model, const State& start, const Stage& stage, const GivenNode& bit, Workspace& work) noexcept;
+Vector6d evaluate_bit_motion(const Model& model, const State& start, const Stage& stage, const GivenNode& bit,
+                             Workspace& work) noexcept;
 
 }  // namespace drill_rig_sim
 

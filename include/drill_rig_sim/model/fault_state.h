@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_MODEL_FAULT_STATE_H
 #define DRILL_RIG_SIM_MODEL_FAULT_STATE_H
 
@@ -8,10 +9,11 @@ namespace drill_rig_sim
 /// A drag at a place of the hole, on whatever pipe is there (forces/place_drag.h).
 struct DragState
 {
-  double amount = 0.0;  ///< of a pack-off its force [N], of differential sticking overpressure times length [N/m]; 0: there is none
-  double md = 0.0;      ///< of the place [m]
+  double amount =
+      0.0;          ///< of a pack-off its force [N], of differential sticking overpressure times length [N/m]; 0: there is none
+  double md = 0.0;  ///< of the place [m]
   Eigen::Vector2d bristle = Eigen::Vector2d::Zero();  ///< of what it holds, along the hole and around it [m]
-  double rest = 0.0;    ///< how long the pipe has stood there [s]
+  double rest = 0.0;                                  ///< how long the pipe has stood there [s]
 
   template <class V>
   void visit(V& v)
@@ -32,9 +34,9 @@ struct FaultState
   double washed_out_by = 0.0;        ///< of the hole: its diameter is larger by that in the middle of a wash-out [m]; 0: none
   double washed_out_at = 0.0;        ///< that middle [m MD]
   DragState pack_off, sticking;
-  double leak_area = 0.0;            ///< of a hole in the pipe [m2]; 0: none
-  double leak_from_bit = 0.0;        ///< so far from the bit's face [m]
-  double brake_holds = 0.0;          ///< the most that the winch's brake does [N]; 0: whatever hangs on it
+  double leak_area = 0.0;      ///< of a hole in the pipe [m2]; 0: none
+  double leak_from_bit = 0.0;  ///< so far from the bit's face [m]
+  double brake_holds = 0.0;    ///< the most that the winch's brake does [N]; 0: whatever hangs on it
   bool motor_locked = false;
   bool drive_tripped = false;
   bool pump_tripped = false;

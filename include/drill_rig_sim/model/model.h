@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_MODEL_MODEL_H
 #define DRILL_RIG_SIM_MODEL_MODEL_H
 
@@ -19,8 +20,8 @@ namespace drill_rig_sim
 {
 using Vector6d = Eigen::Matrix<double, 6, 1>;
 
-/// What of rig, string and rock does not change: mesh, sections, parameters of the laws. Constant and shared: any number of threads may
-/// evaluate one Model at once, each with a Workspace of its own. What changes is the State (state.h).
+/// What of rig, string and rock does not change: mesh, sections, parameters of the laws. Constant and shared: any number of
+/// threads may evaluate one Model at once, each with a Workspace of its own. What changes is the State (state.h).
 class Model
 {
 public:
@@ -60,15 +61,22 @@ public:
   /// And at an element's middle.
   const WallLaw& span_contact(int e) const noexcept { return span_contact_[static_cast<std::size_t>(e)]; }
   /// The same with the friction of where the hole is met, after a rest there [s].
-  WallLaw contact(int i, const ClosestPoint& closest, double rest) const noexcept { return there(contact(i), closest.section, rest); }
+  WallLaw contact(int i, const ClosestPoint& closest, double rest) const noexcept
+  {
+    return there(contact(i), closest.section, rest);
+  }
   WallLaw contact(int i, double section, double rest) const noexcept { return there(contact(i), section, rest); }
-  WallLaw span_contact(int e, const ClosestPoint& closest, double rest) const noexcept { return there(span_contact(e), closest.section, rest); }
+  WallLaw span_contact(int e, const ClosestPoint& closest, double rest) const noexcept
+  {
+    return there(span_contact(e), closest.section, rest);
+  }
   /// Whether these two ever differ from contact(i).
   bool contact_varies() const noexcept { return !friction_.uniform() || scene_.contact.growth.per_fold > 0.0; }
   /// Of the bristle that carries a stuck bit's torque [N m/rad].
   double bit_bristle_stiffness() const noexcept { return bit_bristle_; }
-  /// Weight of element `e` in mud, its ends at heights `z_lower`, `z_upper` [m]; no buoyancy above the rotary table. Of a string that holds mud up to
-  /// `bore_top` above the bit's face (HydraulicState), with what it holds and less what its outside displaces: it may float [N].
+  /// Weight of element `e` in mud, its ends at heights `z_lower`, `z_upper` [m]; no buoyancy above the rotary table. Of a string
+  /// that holds mud up to `bore_top` above the bit's face (HydraulicState), with what it holds and less what its outside
+  /// displaces: it may float [N].
   double element_weight(int e, double z_lower, double z_upper, double bore_top) const noexcept;
 
 private:
@@ -86,8 +94,8 @@ private:
   Formation formation_, ring_;  // the second around the pilot
   PilotHole pilot_;
   SectionFriction friction_;
-  std::vector<WallLaw> contact_;       // per node
-  std::vector<WallLaw> span_contact_;  // per element
+  std::vector<WallLaw> contact_;              // per node
+  std::vector<WallLaw> span_contact_;         // per element
   const MotorSpec* motor_ = nullptr;          // into scene_
   const SteerableSpec* steerable_ = nullptr;  // too
   double bit_bristle_ = 0.0;

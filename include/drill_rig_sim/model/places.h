@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_MODEL_PLACES_H
 #define DRILL_RIG_SIM_MODEL_PLACES_H
 
@@ -14,8 +15,8 @@ void find_closest(const Model& model, const State& start, int i, NodeMotion& nod
 /// The middle of element e, whose ends have moved, and its closest point.
 void find_span(const Model& model, const State& start, const Stage& stage, int e, Workspace& work) noexcept;
 
-/// All free nodes and the middles of all free elements, by the batch kernels where the motion kernel has moved the nodes. Of what these find clear of
-/// the wall only that and the segment is known.
+/// All free nodes and the middles of all free elements, by the batch kernels where the motion kernel has moved the nodes. Of what
+/// these find clear of the wall only that and the segment is known.
 void find_in_hole(const Model& model, const State& start, const Stage& stage, Workspace& work) noexcept;
 
 /// Section normal of a bent element's upper end, its node turned like this.

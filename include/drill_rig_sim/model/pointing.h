@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_MODEL_POINTING_H
 #define DRILL_RIG_SIM_MODEL_POINTING_H
 
@@ -7,19 +8,22 @@
 #include "drill_rig_sim/model/stage.h"
 #include "drill_rig_sim/model/workspace.h"
 
-/// A rotary steerable tool that points the bit. At its pivot, a node, the shaft that carries the bit leans against the collar. The lean's direction
-/// stays in space while both turn: the pipe turns through it, and the tool's actuator turns back in the pipe as fast.
+/// A rotary steerable tool that points the bit. At its pivot, a node, the shaft that carries the bit leans against the collar.
+/// The lean's direction stays in space while both turn: the pipe turns through it, and the tool's actuator turns back in the pipe
+/// as fast.
 ///
-/// Symbols, world axes: n the collar's section normal at the pivot, n_0 at the start of the step, Q its orientation; l the lean, across n, |l| its
-/// angle; index s: the shaft's upper end, where the element below the pivot begins.
-///   l goes straight to its target, the set points' ratio and toolface times the tool's tilt, by at most tilt/tilting_time a second; within a
-///   step along n_0, and carried from n_0 to n by the shortest rotation
-///   Q_s = exp(n x l) Q,   n_s = n cos|l| + l sin|l|/|l|        a joint of constant velocity: a spin about n is one about n_s
-///   w_s = w + s (n_s - n),   d theta_s = (1 + (n_s - n) n^T) d theta,   s the collar's spin      the lean's own rate is left out of the damping
-/// All of this holds for any spin, whatever the pipe turns within a step. The joint has no mass: the element's moment on the shaft is the shaft's on
-/// the collar. M.(w_s - w), and what the lean's moving does, is the work of the tool's actuator, which lives on the mud (EnergyAccounts::steering).
+/// Symbols, world axes: n the collar's section normal at the pivot, n_0 at the start of the step, Q its orientation; l the lean,
+/// across n, |l| its angle; index s: the shaft's upper end, where the element below the pivot begins.
+///   l goes straight to its target, the set points' ratio and toolface times the tool's tilt, by at most tilt/tilting_time a
+///   second; within a step along n_0, and carried from n_0 to n by the shortest rotation Q_s = exp(n x l) Q,   n_s = n cos|l| + l
+///   sin|l|/|l|        a joint of constant velocity: a spin about n is one about n_s w_s = w + s (n_s - n),   d theta_s = (1 +
+///   (n_s - n) n^T) d theta,   s the collar's spin      the lean's own rate is left out of the damping
+/// All of this holds for any spin, whatever the pipe turns within a step. The joint has no mass: the element's moment on the
+/// shaft is the shaft's on the collar. M.(w_s - w), and what the lean's moving does, is the work of the tool's actuator, which
+/// lives on the mud (EnergyAccounts::steering).
 ///
-/// Left out: friction of the joint and bearings, what the actuator cannot hold, a shaft that hits its collar. Guided pipe does not lean.
+/// Left out: friction of the joint and bearings, what the actuator cannot hold, a shaft that hits its collar. Guided pipe does
+/// not lean.
 namespace drill_rig_sim
 {
 constexpr double tilting_time = 5.0;  ///< from straight to full tilt; assumed [s]

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_MODEL_STAGE_H
 #define DRILL_RIG_SIM_MODEL_STAGE_H
 
@@ -33,9 +34,9 @@ struct BitDrive
 /// What drags at a place, during the step (forces/place_drag.h).
 struct PlaceDrag
 {
-  int node = -1;       ///< on which it acts; -1: there is none
-  double most = 0.0;   ///< [N]
-  double lever = 0.0;  ///< about the pipe's axis [m]
+  int node = -1;          ///< on which it acts; -1: there is none
+  double most = 0.0;      ///< [N]
+  double lever = 0.0;     ///< about the pipe's axis [m]
   double pressure = 0.0;  ///< of mud that a pack-off holds back [Pa]
 };
 
@@ -45,8 +46,8 @@ struct Pads
   Eigen::Vector3d force = Eigen::Vector3d::Zero();   ///< F, on the tool, across the string [N]
   double normal_force = 0.0;                         ///< |F|; 0: the rest is not looked at [N]
   Eigen::Vector3d around = Eigen::Vector3d::Zero();  ///< c, unit
-  double lever = 0.0;     ///< R [m]
-  double friction = 0.0;  ///< kinetic [-]
+  double lever = 0.0;                                ///< R [m]
+  double friction = 0.0;                             ///< kinetic [-]
   WallLaw law;
 };
 
@@ -71,9 +72,9 @@ struct Stage
   }
 
   // how the method ties rates to u
-  double time = 0.0;   ///< from the start of the step, for the laws that advance their own state [s]
-  double dv_du = 0.0;  ///< [1/s]
-  double da_du = 0.0;  ///< [1/s2]
+  double time = 0.0;                   ///< from the start of the step, for the laws that advance their own state [s]
+  double dv_du = 0.0;                  ///< [1/s]
+  double da_du = 0.0;                  ///< [1/s2]
   std::vector<Vector6d> rate;          ///< rate_0: velocity, tilt rate + spin rate n, world axes [m/s, rad/s]
   std::vector<Vector6d> acceleration;  ///< acceleration_0 [m/s2, rad/s2]
   RotorStage drive;                    ///< the same for the top drive's rotor; its time is not looked at
@@ -82,22 +83,22 @@ struct Stage
   std::vector<Eigen::Vector3d> normal;  ///< n, of the nodes
   Column free;                          ///< 1 of a free node, 0 of a guided one
   Column immersed;                      ///< 1 for a node below the rotary table, 0 above
-  Column added_mass;  ///< of the mud that moves sideways with a node; of the bit none, its gauge squeezes a film [kg]
-  Columns<3> load;                      ///< weight of the elements in mud, less what lifts them up the annulus [N]
-  Column free_stretch;                  ///< of the elements, by the pump's pressure (mud_circuit.h) [-]
+  Column added_mass;    ///< of the mud that moves sideways with a node; of the bit none, its gauge squeezes a film [kg]
+  Columns<3> load;      ///< weight of the elements in mud, less what lifts them up the annulus [N]
+  Column free_stretch;  ///< of the elements, by the pump's pressure (mud_circuit.h) [-]
   bool sides_stay =
       false;  ///< guided pipe stays in the middle of its hole: a rigid string would be jerked by what going to its wall moves
-  bool any_guided = false;              ///< whether there is anything in these:
-  GuideColumns guides;                   ///< of the nodes
-  const GuidedKernel* guided_kernel;     ///< what works on them; null: one by one
+  bool any_guided = false;            ///< whether there is anything in these:
+  GuideColumns guides;                ///< of the nodes
+  const GuidedKernel* guided_kernel;  ///< what works on them; null: one by one
   const GuidedStepKernel* guided_step_kernel;
-  Runs guided_nodes, guided_elements;    ///< those that are guided
-  std::array<PlaceDrag, 2> drags;        ///< pack-off, differential sticking
+  Runs guided_nodes, guided_elements;  ///< those that are guided
+  std::array<PlaceDrag, 2> drags;      ///< pack-off, differential sticking
   Runs inner_nodes;  ///< and of these nodes those on which only the guided string's forces act, but for the bit's gauge
-  double structural_damping = 0.0;      ///< [s]
+  double structural_damping = 0.0;  ///< [s]
   Setpoints setpoints;
-  Pads pads;                            ///< none in statics
-  SlidingMotion sliding;                ///< of the string in the hole; statics only
+  Pads pads;              ///< none in statics
+  SlidingMotion sliding;  ///< of the string in the hole; statics only
 
   // where the laws with a course of their own are at `time`
   HoistState hoist;

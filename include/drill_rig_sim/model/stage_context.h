@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_MODEL_STAGE_CONTEXT_H
 #define DRILL_RIG_SIM_MODEL_STAGE_CONTEXT_H
 
@@ -18,7 +19,8 @@ struct StageContext
   const Stage& stage;
   Workspace& work;
 
-  /// How node i moves at the stage, whether it is free or guided. Of the hole around it only a free node knows (NodeMotion::closest, touches).
+  /// How node i moves at the stage, whether it is free or guided. Of the hole around it only a free node knows
+  /// (NodeMotion::closest, touches).
   const NodeMotion& node(int i) const noexcept
   {
     if (!work.motion_known[static_cast<std::size_t>(i)]) move_as_free(*this, i);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_MODEL_STATE_H
 #define DRILL_RIG_SIM_MODEL_STATE_H
 
@@ -15,8 +16,8 @@
 
 namespace drill_rig_sim
 {
-/// A vector of a node's six coordinates, with the rotation in two parts. The section normal n splits it: tilt (across n) and spin (about
-/// n). Both survive a change of n without mixing, and spin is a plain scalar, so any number of turns is as good as none.
+/// A vector of a node's six coordinates, with the rotation in two parts. The section normal n splits it: tilt (across n) and spin
+/// (about n). Both survive a change of n without mixing, and spin is a plain scalar, so any number of turns is as good as none.
 struct NodeRate
 {
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  ///< [m/s]
@@ -35,16 +36,17 @@ struct NodeRate
 /// One node of the string at an instant.
 struct NodeState
 {
-  Eigen::Vector3d position = Eigen::Vector3d::Zero();                   ///< [m]
-  Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();      ///< body to world; x towards the bit
-  double spin_angle = 0.0;                                              ///< turned since the start, unbounded [rad]
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();               ///< [m]
+  Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  ///< body to world; x towards the bit
+  double spin_angle = 0.0;                                          ///< turned since the start, unbounded [rad]
   NodeRate rate;
-  Eigen::Vector3d bristle = Eigen::Vector3d::Zero();  ///< of the sticking friction, world axes; of a guided node along the hole, around it, and 0 [m]
-  double rest = 0.0;                                  ///< how long that friction has stuck [s]
-  int segment = -1;                                   ///< hole segment of the last contact search
-  bool guided = false;                                ///< confined to the hole (model/guides.h); then also:
-  double md = 0.0;                                    ///< where in it [m]
-  Eigen::Vector3d side = Eigen::Vector3d::Zero();     ///< of the hole's centre that it lies on, across the hole [m]
+  Eigen::Vector3d bristle =
+      Eigen::Vector3d::Zero();  ///< of the sticking friction, world axes; of a guided node along the hole, around it, and 0 [m]
+  double rest = 0.0;            ///< how long that friction has stuck [s]
+  int segment = -1;             ///< hole segment of the last contact search
+  bool guided = false;          ///< confined to the hole (model/guides.h); then also:
+  double md = 0.0;              ///< where in it [m]
+  Eigen::Vector3d side = Eigen::Vector3d::Zero();  ///< of the hole's centre that it lies on, across the hole [m]
 
   template <class V>
   void visit(V& v)
@@ -82,7 +84,8 @@ struct SpanState
   }
 };
 
-/// A quantity of the past that a method keeps: six coordinates per node, in the axes of the present section normals, and the rotor's.
+/// A quantity of the past that a method keeps: six coordinates per node, in the axes of the present section normals, and the
+/// rotor's.
 struct PastQuantity
 {
   std::vector<NodeRate> nodes;
@@ -96,8 +99,8 @@ struct PastQuantity
   }
 };
 
-/// What a method of time stepping remembers of earlier steps. Which quantities, and in which order, is the method's own affair; there is
-/// room for so many in every state, so that no step allocates.
+/// What a method of time stepping remembers of earlier steps. Which quantities, and in which order, is the method's own affair;
+/// there is room for so many in every state, so that no step allocates.
 struct MethodMemory
 {
   static constexpr int room = 3;
@@ -133,12 +136,12 @@ struct ValueRange
   }
 };
 
-/// What the control of the step's length remembers (solve/step_control.h): the step that it wants next, and what the outputs have ranged over,
-/// by which their errors are judged.
+/// What the control of the step's length remembers (solve/step_control.h): the step that it wants next, and what the outputs have
+/// ranged over, by which their errors are judged.
 struct StepMemory
 {
-  double wanted = 0.0;  ///< 0: nothing is known yet [s]
-  bool begun = false;   ///< the ranges stand
+  double wanted = 0.0;                ///< 0: nothing is known yet [s]
+  bool begun = false;                 ///< the ranges stand
   ValueRange hook_load, torque, wob;  ///< [N, N m, N]
   ValueRange bit_speed;               ///< [rad/s]
 
@@ -161,7 +164,7 @@ struct HoistState
   double winch_speed = 0.0;  ///< of the block, as paid out [m/s], + up
   double sheave_slip = 0.0;  ///< how far the sheaves' friction has built up: -1 lowering, 1 raising
   bool limited = false;
-  bool at_stop = false;      ///< the winch stands at the block's lowest or highest place
+  bool at_stop = false;          ///< the winch stands at the block's lowest or highest place
   double rail_deflection = 0.0;  ///< of what the rail's friction holds the block by [m]
   FloorMotion floor;             ///< of the rotary table (rig/heave.h)
   double at_sea = 0.0;           ///< since the waves began, whatever the clock says [s]
@@ -184,11 +187,11 @@ struct HoistState
 /// Bit, rock and motor.
 struct BitState
 {
-  double twist = 0.0;        ///< bristle of the torque on bit [rad]
-  double motor_speed = 0.0;  ///< of the bit relative to the string [rad/s]
-  double motor_torque = 0.0; ///< on the motor's rotor [N m]
-  double turned = 0.0;       ///< by the motor since the start [rad]
-  double mean_speed = 0.0;   ///< of the bit, behind its speed by the lag [rad/s]
+  double twist = 0.0;         ///< bristle of the torque on bit [rad]
+  double motor_speed = 0.0;   ///< of the bit relative to the string [rad/s]
+  double motor_torque = 0.0;  ///< on the motor's rotor [N m]
+  double turned = 0.0;        ///< by the motor since the start [rad]
+  double mean_speed = 0.0;    ///< of the bit, behind its speed by the lag [rad/s]
   bool stalled = false;
   Eigen::Vector3d rock_velocity = Eigen::Vector3d::Zero();  ///< of the hole's bottom in the last step [m/s]
 
@@ -253,7 +256,8 @@ struct State
   HeldNode stuck_point;
   HeldNode slips;  ///< of the rotary table, under a joint's end; its place as if the table were where it is in the mean
   PadsState pads;
-  Eigen::Vector3d lean = Eigen::Vector3d::Zero();  ///< of a shaft that points the bit (pointing.h), across its collar, world axes [rad]
+  Eigen::Vector3d lean =
+      Eigen::Vector3d::Zero();  ///< of a shaft that points the bit (pointing.h), across its collar, world axes [rad]
   FaultState faults;
   HydraulicState hydraulics;
   double flow = 0.0;  ///< through string, motor and bit; constant within a step [m3/s]
@@ -282,8 +286,14 @@ struct State
 };
 
 /// Of the block above the rotary table, which heaves [m], and its velocity there [m/s], + up.
-inline double block_height(const State& state) noexcept { return state.nodes.back().position.z() - state.hoist.floor.height; }
-inline double block_velocity(const State& state) noexcept { return state.nodes.back().rate.velocity.z() - state.hoist.floor.speed; }
+inline double block_height(const State& state) noexcept
+{
+  return state.nodes.back().position.z() - state.hoist.floor.height;
+}
+inline double block_velocity(const State& state) noexcept
+{
+  return state.nodes.back().rate.velocity.z() - state.hoist.floor.speed;
+}
 
 }  // namespace drill_rig_sim
 

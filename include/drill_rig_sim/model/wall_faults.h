@@ -1,16 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_MODEL_WALL_FAULTS_H
 #define DRILL_RIG_SIM_MODEL_WALL_FAULTS_H
 
 #include "drill_rig_sim/model/state.h"
 #include "drill_rig_sim/model/workspace.h"
 
-/// What faults make of the hole's wall: another friction from a depth down, and a wash-out, where the hole is wider. The well itself stays
-/// as it is: whoever has found a place in it puts these in.
+/// What faults make of the hole's wall: another friction from a depth down, and a wash-out, where the hole is wider. The well
+/// itself stays as it is: whoever has found a place in it puts these in.
 namespace drill_rig_sim
 {
 constexpr double wash_out_length = 5.0;  ///< from the middle of a wash-out to its ends [m]
 
-/// How much larger the hole's radius is at measured depth `md`, in the shape of a cosine: by/4 (1 + cos(pi (md - at)/length)) [m]; and its slope.
+/// How much larger the hole's radius is at measured depth `md`, in the shape of a cosine: by/4 (1 + cos(pi (md - at)/length))
+/// [m]; and its slope.
 struct WashOut
 {
   double radius = 0.0;  ///< [m]

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_MODEL_WORKSPACE_H
 #define DRILL_RIG_SIM_MODEL_WORKSPACE_H
 
@@ -47,8 +48,8 @@ struct SpanMotion
   Eigen::Vector3d position;
   Eigen::Vector3d upper_arm, lower_arm;  ///< at the start of the step [m]
   Vector6d increment;                    ///< displacement and rotation since then [m, rad]
-  ClosestPoint closest;  ///< of hole or mast
-  bool touches;          ///< the wall
+  ClosestPoint closest;                  ///< of hole or mast
+  bool touches;                          ///< the wall
 };
 
 /// Where the bit is over its ground (contact/cut_ground.h) at a stage, and what its flats carry.
@@ -62,7 +63,7 @@ struct BitCutPlace
 /// What the laws with a state of their own have come to at a stage: the next step's start, once this one is accepted.
 struct StageResult
 {
-  std::vector<Eigen::Vector3d> bristle;  ///< of the wall's friction, per node [m]
+  std::vector<Eigen::Vector3d> bristle;       ///< of the wall's friction, per node [m]
   std::vector<Eigen::Vector3d> span_bristle;  ///< and per element [m]
   std::vector<double> rest, span_rest;        ///< how long that friction has stuck, per node and element [s]
   DriveState drive;
@@ -73,7 +74,7 @@ struct StageResult
   PadsState pads;
   BitState bit;
   BottomForce bottom;
-  BitCutPlace cut;           ///< regenerative law
+  BitCutPlace cut;  ///< regenerative law
   RigForces forces;
   double held_force = 0.0;   ///< statics: vertical force that holds the top node, + up [N]
   double held_torque = 0.0;  ///< and the torque about the string, + drives it clockwise [N m]
@@ -90,7 +91,7 @@ struct Workspace
   std::vector<unsigned char> motion_known;  ///< per node: `nodes` holds its motion at this stage; of free nodes always
   std::vector<unsigned char>
       rows_open;  ///< per node: forces can be added to its rows (ForceRows); of free nodes always, of guided ones where one was
-  StringColumns columns;   ///< the same for the batch kernels
+  StringColumns columns;  ///< the same for the batch kernels
   // batch kernels of the free string; all null: one by one, for any kind of element
   const MotionKernel* motion;
   const StringKernel* string;

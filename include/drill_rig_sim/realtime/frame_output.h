@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_REALTIME_FRAME_OUTPUT_H
 #define DRILL_RIG_SIM_REALTIME_FRAME_OUTPUT_H
 
@@ -23,7 +24,7 @@ struct LoopStatistics
   TimeHistogram frame_times;  ///< that frames took to compute
   TimeHistogram lateness;     ///< of frames begun behind their time; in real time alone, where they have one
   std::uint64_t overruns = 0;
-  double dropped_seconds = 0.0;         ///< backlog dropped [s]
+  double dropped_seconds = 0.0;          ///< backlog dropped [s]
   std::uint64_t unpublished_frames = 0;  ///< frames not published because the publishers were behind
   std::uint64_t pictures_left_out = 0;   ///< frames published without the arrays that were due, for the same reason
   double speed = 1.0;
@@ -61,16 +62,18 @@ constexpr double accuracy_rate = 1.0;  ///< of the topic accuracy, per simulated
 struct AccuracyRecord
 {
   Outputs absolute_errors{};  ///< in the outputs' units; NaN where they are not measured
-  std::array<StatisticDifferences, output_count> statistics{};  ///< errors of the outputs' statistics [-]; NaN where they are not measured, 0 where they were not asked for
-  unsigned needs = 0;         ///< outputs that the scene asks for, a sum of Need
-  double tolerance = 0.0;     ///< numerics.tolerance [-]
+  std::array<StatisticDifferences, output_count>
+      statistics{};  ///< errors of the outputs' statistics [-]; NaN where they are not measured, 0 where they were not asked for
+  unsigned needs = 0;      ///< outputs that the scene asks for, a sum of Need
+  double tolerance = 0.0;  ///< numerics.tolerance [-]
 };
 
 /// Of a simulator after its last frame, without the statistics. Neither allocates nor waits for a companion.
 inline AccuracyRecord accuracy_of(const Simulator& simulator) noexcept
 {
   AccuracyRecord accuracy;
-  for (std::size_t i = 0; i < output_count; ++i) accuracy.absolute_errors[i] = simulator.measured_absolute_error(static_cast<Output>(i));
+  for (std::size_t i = 0; i < output_count; ++i)
+    accuracy.absolute_errors[i] = simulator.measured_absolute_error(static_cast<Output>(i));
   accuracy.needs = simulator.scene().needs;
   accuracy.tolerance = simulator.scene().numerics.tolerance;
   return accuracy;
@@ -99,7 +102,7 @@ struct FrameRecord
   AccuracyRecord accuracy;
   LoopStatistics loop;
   std::uint64_t commands_refused = 0;  ///< since the node began
-  const char* last_refusal = "";    ///< why the last one was; static storage
+  const char* last_refusal = "";       ///< why the last one was; static storage
   ActiveFaults faults;
   const char* last_clamp = "";      ///< which limit the last clamped command met; static storage
   std::array<char, 256> failure{};  ///< why the last frame failed; empty otherwise
@@ -128,9 +131,9 @@ struct FrameOutput : FrameArrays
   bool profile_due = false;  ///< drillstring_state
   bool tf_due = false;
   bool markers_due = false;
-  bool well_due = false;  ///< the well has changed, or there is a new subscriber
-  bool tube_due = false;  ///< markers are due and have not shown the well as it is
-  bool has_arrays = false;   ///< a ring has lent it a set
+  bool well_due = false;    ///< the well has changed, or there is a new subscriber
+  bool tube_due = false;    ///< markers are due and have not shown the well as it is
+  bool has_arrays = false;  ///< a ring has lent it a set
 
   /// Whether any of the arrays is to be filled.
   bool arrays_due() const noexcept { return profile_due || tf_due || markers_due || well_due; }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_REALTIME_FRAME_RING_H
 #define DRILL_RIG_SIM_REALTIME_FRAME_RING_H
 
@@ -12,9 +13,9 @@
 
 namespace drill_rig_sim
 {
-/// Frames on their way from the simulation thread to the publishing thread, in order. A ring and not a single latest one, because every frame
-/// is to be published. Deep, so that no frame is lost while the publishers wait for a processor; few of the frames show arrays, so there are
-/// fewer sets of those, which keep their memory from turn to turn.
+/// Frames on their way from the simulation thread to the publishing thread, in order. A ring and not a single latest one, because
+/// every frame is to be published. Deep, so that no frame is lost while the publishers wait for a processor; few of the frames
+/// show arrays, so there are fewer sets of those, which keep their memory from turn to turn.
 class FrameRing
 {
 public:

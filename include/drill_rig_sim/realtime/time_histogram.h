@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_REALTIME_TIME_HISTOGRAM_H
 #define DRILL_RIG_SIM_REALTIME_TIME_HISTOGRAM_H
 
@@ -50,14 +51,16 @@ public:
   double share_below(std::int64_t bound) const noexcept { return share(below(bound)); }
   double share_within() const noexcept { return share(within_); }
 
-  /// Of all times this share is no longer [s]: the upper bound of the bin in which that is reached, or the longest. 0 where nothing was counted.
+  /// Of all times this share is no longer [s]: the upper bound of the bin in which that is reached, or the longest. 0 where
+  /// nothing was counted.
   double percentile(double wanted) const noexcept
   {
     std::uint64_t sum = 0;
     for (std::size_t i = 0; i < bounds.size(); ++i)
     {
       sum += counts_[i];
-      if (static_cast<double>(sum) >= wanted * static_cast<double>(number_)) return std::min(1e-9 * static_cast<double>(bounds[i]), longest());
+      if (static_cast<double>(sum) >= wanted * static_cast<double>(number_))
+        return std::min(1e-9 * static_cast<double>(bounds[i]), longest());
     }
     return longest();
   }
@@ -69,7 +72,10 @@ private:
   {
     return static_cast<std::size_t>(std::upper_bound(bounds.begin(), bounds.end(), duration) - bounds.begin());
   }
-  double share(std::uint64_t part) const noexcept { return number_ == 0 ? 1.0 : static_cast<double>(part) / static_cast<double>(number_); }
+  double share(std::uint64_t part) const noexcept
+  {
+    return number_ == 0 ? 1.0 : static_cast<double>(part) / static_cast<double>(number_);
+  }
 
   std::array<std::uint64_t, bounds.size() + 1> counts_{};  // below each bound; last: no shorter than all
   std::uint64_t number_ = 0, within_ = 0;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_REALTIME_TIMEKEEPER_H
 #define DRILL_RIG_SIM_REALTIME_TIMEKEEPER_H
 
@@ -34,10 +35,10 @@ enum class TimeSource
 class Timekeeper
 {
 public:
-  static constexpr std::int64_t not_yet = INT64_MAX;           ///< no frame before the thread is woken
-  static constexpr std::int64_t most_backlog = 100'000'000;    ///< [ns]
-  static constexpr std::int64_t longest_jump = 10'000'000'000; ///< of another rig's clock that is followed frame by frame [ns]
-  static constexpr std::int64_t most_ahead = 1'000'000'000;    ///< of another rig's clock, which is then waited for [ns]
+  static constexpr std::int64_t not_yet = INT64_MAX;            ///< no frame before the thread is woken
+  static constexpr std::int64_t most_backlog = 100'000'000;     ///< [ns]
+  static constexpr std::int64_t longest_jump = 10'000'000'000;  ///< of another rig's clock that is followed frame by frame [ns]
+  static constexpr std::int64_t most_ahead = 1'000'000'000;     ///< of another rig's clock, which is then waited for [ns]
 
   /// `period`: of a frame, simulated [ns], > 0. `wall_start`: the wall's time now [ns], for stamps of the wall.
   Timekeeper(TimeSource source, ClockMode mode, std::int64_t period, std::int64_t wall_start) noexcept;
@@ -55,15 +56,19 @@ public:
 
   /// Steady time [ns] at which the next frame is due: 0 = now, not_yet = wait to be woken.
   std::int64_t next_frame_at() const noexcept;
-  /// Accounts for the frame that begins at steady time `now`; returns how far behind its time that is [wall ns], 0 where it has none.
+  /// Accounts for the frame that begins at steady time `now`; returns how far behind its time that is [wall ns], 0 where it has
+  /// none.
   std::int64_t frame_begins(std::int64_t now) noexcept;
   /// Time there is for a frame [wall ns]; that of a frame as simulated where it has none.
-  std::int64_t wall_period() const noexcept { return is_realtime() ? static_cast<std::int64_t>(static_cast<double>(period_) / speed_) : period_; }
+  std::int64_t wall_period() const noexcept
+  {
+    return is_realtime() ? static_cast<std::int64_t>(static_cast<double>(period_) / speed_) : period_;
+  }
   /// The next frame is due now: after a pause, or at the start.
   void restart(std::int64_t now) noexcept { deadline_ = now; }
-  /// Where another rig's clock is more than longest_jump ahead (the first one received, or one that runs faster than this rig can) or more than
-  /// most_ahead behind (a rig that began again; resets of this one put it ahead by a frame each): goes there at once. What a rig that had
-  /// followed leaves out counts as dropped. Returns whether the stamp went back.
+  /// Where another rig's clock is more than longest_jump ahead (the first one received, or one that runs faster than this rig
+  /// can) or more than most_ahead behind (a rig that began again; resets of this one put it ahead by a frame each): goes there at
+  /// once. What a rig that had followed leaves out counts as dropped. Returns whether the stamp went back.
   bool adopt_clock() noexcept;
   /// Moves the stamp on by one frame.
   void tick() noexcept
@@ -79,7 +84,10 @@ public:
   void hear_clock(std::int64_t clock) noexcept { heard_ = clock; }
 
   std::uint64_t overruns() const noexcept { return overruns_; }  ///< frames begun more than a tenth of a period late
-  double dropped_seconds() const noexcept { return 1e-9 * static_cast<double>(dropped_); }  ///< backlog dropped [wall s; of the followed clock s]
+  double dropped_seconds() const noexcept
+  {
+    return 1e-9 * static_cast<double>(dropped_);
+  }  ///< backlog dropped [wall s; of the followed clock s]
 
 private:
   TimeSource source_;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_REFERENCE_IDA_INTEGRATOR_H
 #define DRILL_RIG_SIM_REFERENCE_IDA_INTEGRATOR_H
 
@@ -13,14 +14,13 @@ namespace drill_rig_sim
 {
 /// The reference: the rig as a DAE (rig_dae.h), integrated by IDA within each step of `numerics.step`, at whose end the hole is
 /// extended (the paper's order: integrate, extend the well, correct, next step). Steps of IDA go on across the ends of intervals;
-/// it starts afresh at order one, from consistent accelerations, only where something jumps: set points, flow by more than 1e-3 m3/s, a stuck point, a
-/// node that dips into the mud, bases that are renewed because a section has tilted by more than 0.3 rad, and the state itself.
-/// Order two at most by default: a string's fast axial and torsional modes are hardly damped, and the BDF formulas of order three and more
-/// excite such modes unless the step resolves them. At 1e-6 the main job then takes a tenth of the steps. Its joints hold within
-/// Newton's tolerance, 1e-8 m or rad in the mean over the unknowns.
-/// The work of one interval is bounded: where IDA would need more than 1000 steps of its own it fails.
-/// Its memory is no part of a snapshot: after restore() it starts afresh, so that runs repeat within the tolerance, not bit by
-/// bit. It allocates.
+/// it starts afresh at order one, from consistent accelerations, only where something jumps: set points, flow by more than 1e-3
+/// m3/s, a stuck point, a node that dips into the mud, bases that are renewed because a section has tilted by more than 0.3 rad,
+/// and the state itself. Order two at most by default: a string's fast axial and torsional modes are hardly damped, and the BDF
+/// formulas of order three and more excite such modes unless the step resolves them. At 1e-6 the main job then takes a tenth of
+/// the steps. Its joints hold within Newton's tolerance, 1e-8 m or rad in the mean over the unknowns. The work of one interval is
+/// bounded: where IDA would need more than 1000 steps of its own it fails. Its memory is no part of a snapshot: after restore()
+/// it starts afresh, so that runs repeat within the tolerance, not bit by bit. It allocates.
 class IdaIntegrator : public Integrator
 {
 public:

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_REFERENCE_IDA_SOLVER_H
 #define DRILL_RIG_SIM_REFERENCE_IDA_SOLVER_H
 
@@ -13,8 +14,8 @@ namespace drill_rig_sim
 {
 struct IdaOptions
 {
-  int max_order = 5;        ///< of the BDF formulas, 1 .. 5; beyond 2 they excite fast oscillations that are hardly damped
-  double fixed_step = 0.0;  ///< > 0: smallest and largest step alike, to show what a given step does [s]
+  int max_order = 5;               ///< of the BDF formulas, 1 .. 5; beyond 2 they excite fast oscillations that are hardly damped
+  double fixed_step = 0.0;         ///< > 0: smallest and largest step alike, to show what a given step does [s]
   bool suppress_algebraic = true;  ///< multipliers out of the error test
   long max_steps = 2000000;        ///< of one advance(), those repeated with a shorter step among them
   double newton_share = 0.1;       ///< of the tolerance, that Newton's method may leave; at IDA's 0.33 the rest fails error tests

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_REFERENCE_RIG_DAE_H
 #define DRILL_RIG_SIM_REFERENCE_RIG_DAE_H
 
@@ -37,11 +38,11 @@ public:
 
   /// y as `state` has it, at the bases.
   std::vector<double> initial(const State& state) const;
-  /// Opens an interval at time `t` [s] and state y. `state` is the same motion as y; begin_step() has taken it into the stage, and it must stay
-  /// as it is until the interval's end. True: the masses are others than before (a node has gone into the mud).
+  /// Opens an interval at time `t` [s] and state y. `state` is the same motion as y; begin_step() has taken it into the stage,
+  /// and it must stay as it is until the interval's end. True: the masses are others than before (a node has gone into the mud).
   bool begin(double t, const State& state, const Setpoints& setpoints, const std::vector<double>& y);
-  /// The motion y, with rates `rate`, at `t` within the interval as a stage of the fixed-step methods' model and increments u (6 per node) since
-  /// the interval's start. `stage`: begun at that start; moved here.
+  /// The motion y, with rates `rate`, at `t` within the interval as a stage of the fixed-step methods' model and increments u (6
+  /// per node) since the interval's start. `stage`: begun at that start; moved here.
   void fill_stage(double t, const double* y, const double* rate, Stage& stage, double* u);
   /// Writes the interval's end, y at `t`, into the state that begin() took, and the hole's extension.
   void finish(double t, const std::vector<double>& y, State& state);
@@ -63,9 +64,9 @@ private:
   struct Drive
   {
     DriveTorque by_drive;
-    double turn;   // of the rotor since the start of the interval [rad]
-    double speed;  // [rad/s]
-    double twist;  // of the torque meter [rad]
+    double turn;                                                           // of the rotor since the start of the interval [rad]
+    double speed;                                                          // [rad/s]
+    double twist;                                                          // of the torque meter [rad]
     double torques() const { return by_drive.motor + by_drive.friction; }  // on the rotor [N m]
   };
   struct BlockForces
@@ -75,7 +76,7 @@ private:
     BristleForce rail;
     StopForce stop;
     double hook_load() const { return pull.hook_force + damper.force; }  // [N]
-    double resistance() const { return rail.force + stop.force; }  // + up [N]
+    double resistance() const { return rail.force + stop.force; }        // + up [N]
   };
   using BitAnswer = Eigen::Matrix<double, 12, 1>;  // minus the force on the bit, rates of the further states
 
@@ -89,7 +90,8 @@ private:
   int block() const { return string_nodes() + 3; }
   void take_motion(double t, const double* y);
   GivenNode motion_of(int body, const double* y) const;
-  BitDrive bit_drive(double motor_speed, double motor_turn, const Eigen::Vector3d& bottom, double mean_speed, const GivenNode& bit) const;
+  BitDrive bit_drive(double motor_speed, double motor_turn, const Eigen::Vector3d& bottom, double mean_speed,
+                     const GivenNode& bit) const;
   BitDrive bit_drive_at(const double* y, const GivenNode& bit) const;
   double steady_motor_speed() const;
   Drive drive_at(const double* y) const;

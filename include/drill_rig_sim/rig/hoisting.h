@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_RIG_HOISTING_H
 #define DRILL_RIG_SIM_RIG_HOISTING_H
 
@@ -8,10 +9,10 @@
 ///
 /// n sheaves in the travelling block, 2 n lines between crown and block. Strung length L = 2 n (crown_height - block_height) +
 /// fixed_length, unstretched length of the same line L_0; tension T = E A (L - L_0) / L_0, never negative (slack); hook force 2 n
-/// T. Line and sheaves have no mass. Friction of the sheaves shifts tension from line to line, and leaves their sum as it is: what the
-/// lines have stretched in all is given by drum and block. So it shows in the dead line's reading, and rubs on the drum; what hinders the
-/// block is its guide rail. What lines and sheaves lose when they are stretched, as where the block rings on them, is a damper beside the
-/// lines' spring.
+/// T. Line and sheaves have no mass. Friction of the sheaves shifts tension from line to line, and leaves their sum as it is:
+/// what the lines have stretched in all is given by drum and block. So it shows in the dead line's reading, and rubs on the drum;
+/// what hinders the block is its guide rail. What lines and sheaves lose when they are stretched, as where the block rings on
+/// them, is a damper beside the lines' spring.
 namespace drill_rig_sim
 {
 struct HoistingSpec
@@ -22,7 +23,7 @@ struct HoistingSpec
   double fixed_length = 60.0;   ///< strung length outside the block: fast and dead line [m]
   double block_mass = 17500.0;  ///< travelling block, hook and top drive [kg]
   double sheave_efficiency = 0.98;
-  double latency = 0.0;         ///< dead time of the winch's set point in the drawworks' drive [s]
+  double latency = 0.0;           ///< dead time of the winch's set point in the drawworks' drive [s]
   double rail_friction = 0.03;    ///< of the block on its guide rail, as a share of its weight
   double line_damping = 0.03;     ///< of the block alone on its lines, as a share of critical: "a few percent"
   double max_speed = 1.5;         ///< of the block [m/s]
@@ -36,12 +37,13 @@ struct HoistingSpec
   int stand_joints = 3;            ///< joints of drill pipe in a stand
 };
 
-constexpr double rail_stiffness = 5e6;      ///< of what rail friction holds the block by [N/m]
-constexpr double stop_clearance = 0.02;     ///< of crown and floor stop beyond the heights where the winch stops: what hangs bounces by less [m]
-constexpr double stop_stiffness = 1e8;      ///< of them [N/m]
-constexpr double stop_damping = 2.0;        ///< Hunt and Crossley's [s/m]
-constexpr double standing_winch = 1e-3;     ///< slower, it counts as standing [m/s]
-constexpr double stick_up = 1.0;            ///< so high above the rotary table stands the joint that is broken out in a connection [m]
+constexpr double rail_stiffness = 5e6;  ///< of what rail friction holds the block by [N/m]
+constexpr double stop_clearance =
+    0.02;  ///< of crown and floor stop beyond the heights where the winch stops: what hangs bounces by less [m]
+constexpr double stop_stiffness = 1e8;   ///< of them [N/m]
+constexpr double stop_damping = 2.0;     ///< Hunt and Crossley's [s/m]
+constexpr double standing_winch = 1e-3;  ///< slower, it counts as standing [m/s]
+constexpr double stick_up = 1.0;  ///< so high above the rotary table stands the joint that is broken out in a connection [m]
 constexpr double sheave_presliding = 0.01;  ///< block travel over which the sheaves' friction builds up from rest [m]
 
 /// What a stand of `stand` [m] needs between the block's heights where the crew adds it: stick_up, and half a metre to spare [m].
@@ -68,8 +70,8 @@ LinePull line_pull(const HoistingSpec& spec, double block_height, double line_le
 /// L_0 that carries `hook_force` (>= 0) [N] at a block height [m]: L_0 = L / (1 + T / E A). For the start.
 double line_length_for(const HoistingSpec& spec, double block_height, double hook_force) noexcept;
 
-/// Damping of lines and sheaves, on the block: c (drum's speed - block's), c = 2 z sqrt(k m), z line_damping, k the lines' stiffness, m the
-/// block's mass; at least -hook_force, for lines do not push. None where they are slack.
+/// Damping of lines and sheaves, on the block: c (drum's speed - block's), c = 2 z sqrt(k m), z line_damping, k the lines'
+/// stiffness, m the block's mass; at least -hook_force, for lines do not push. None where they are slack.
 struct LineDamper
 {
   double force = 0.0;    ///< on the block, + up [N]
@@ -77,11 +79,13 @@ struct LineDamper
 };
 LineDamper line_damper(const HoistingSpec& spec, const LinePull& pull, double block_velocity, double winch_speed) noexcept;
 
-/// Friction of the block on its rail, for a step from `deflection` [m] of what holds it. A record of the field: a block of 66 t moves up at
-/// 40 kN more than down, a twentieth of that with the load (a North Sea rig): +-3 % of the block's weight, whatever hangs on it.
+/// Friction of the block on its rail, for a step from `deflection` [m] of what holds it. A record of the field: a block of 66 t
+/// moves up at 40 kN more than down, a twentieth of that with the load (a North Sea rig): +-3 % of the block's weight, whatever
+/// hangs on it.
 DampedBristle rail_bristle(const HoistingSpec& spec, double deflection) noexcept;
 
-/// Stops stop_clearance beyond lowest_block_height and highest_block_height, p beyond which the block is pushed back with k p (1 + d dp/dt), never pulled.
+/// Stops stop_clearance beyond lowest_block_height and highest_block_height, p beyond which the block is pushed back with k p (1
+/// + d dp/dt), never pulled.
 struct StopForce
 {
   double force = 0.0;      ///< on the block, + up [N]
@@ -97,7 +101,8 @@ struct WinchLimits
   bool speed = false;         ///< the command is beyond max_speed
   bool acceleration = false;  ///< still ramping
   bool height = false;        ///< slowed down or stopped before lowest_block_height or highest_block_height
-  bool load = false;          ///< at max_hook_load or beyond it, as an impact may bring it: raising is refused; below min_hook_load: lowering
+  bool load =
+      false;  ///< at max_hook_load or beyond it, as an impact may bring it: raising is refused; below min_hook_load: lowering
   bool any() const noexcept { return speed || acceleration || height || load; }
 };
 
@@ -113,8 +118,9 @@ struct WinchStep
 ///
 /// The block's speed ramps at max_acceleration to the command (zero with the brake set), clamped to max_speed. Near a height
 /// limit it is held to what can still stop there, v <= sqrt(2 a d) at distance d; beyond a limit, when raising at or above
-/// max_hook_load, and when lowering below min_hook_load, the drum stops at once. The other direction stays free. The drum winds stretched line at 2 n v, which holds 2 n
-/// v L_0/L unstretched: dL_0/dt = -2 n v L_0/L. So a constant command gives, at a steady load, exactly that block speed.
+/// max_hook_load, and when lowering below min_hook_load, the drum stops at once. The other direction stays free. The drum winds
+/// stretched line at 2 n v, which holds 2 n v L_0/L unstretched: dL_0/dt = -2 n v L_0/L. So a constant command gives, at a steady
+/// load, exactly that block speed.
 /// @param line_length   L_0 at the start of the step [m]
 /// @param speed         of the drum at the start of the step [m/s], + up
 /// @param block_height  at the start of the step [m]
@@ -123,22 +129,23 @@ struct WinchStep
 WinchStep advance_winch(const HoistingSpec& spec, const WinchSetpoint& command, double line_length, double speed,
                         double block_height, double hook_load, double step) noexcept;
 
-/// A brake that holds no more than `most` [N] at the block, on a drum without inertia: where more hangs on it line runs out, so that the
-/// lines carry `most` and the rest sinks, (W - most)/m for a rigid string of weight W and mass m. L_0 at the end of the step, from the
-/// block's height and velocity at its start: max(L_0, L_0 that carries `most` at height + velocity step). Off by the block's acceleration
-/// within the step alone, stiffness a step^2/2.
-double slipping_line(const HoistingSpec& spec, double line_length, double block_height, double block_velocity, double most, double step) noexcept;
+/// A brake that holds no more than `most` [N] at the block, on a drum without inertia: where more hangs on it line runs out, so
+/// that the lines carry `most` and the rest sinks, (W - most)/m for a rigid string of weight W and mass m. L_0 at the end of the
+/// step, from the block's height and velocity at its start: max(L_0, L_0 that carries `most` at height + velocity step). Off by
+/// the block's acceleration within the step alone, stiffness a step^2/2.
+double slipping_line(const HoistingSpec& spec, double line_length, double block_height, double block_velocity, double most,
+                     double step) noexcept;
 
-/// How far the sheaves' friction has built up, from -1 (lowering) to 1 (raising), after the drum has moved the block by `travel` [m] from
-/// where it was at `slip`. Sheaves turn with the line that passes them, not with a block that bounces on lines of equal stretch: a
-/// reading keeps the friction of its last motion until the drum turns.
+/// How far the sheaves' friction has built up, from -1 (lowering) to 1 (raising), after the drum has moved the block by `travel`
+/// [m] from where it was at `slip`. Sheaves turn with the line that passes them, not with a block that bounces on lines of equal
+/// stretch: a reading keeps the friction of its last motion until the drum turns.
 double sheave_slip(double slip, double travel) noexcept;
 
 /// Hook load as read at the dead line: 2 n times the dead line's tension, with the friction of the sheaves.
 ///
 /// Hoisting, every sheave passed towards the fast line raises the tension by 1/e, e the sheave's efficiency; lowering, it lowers
-/// it by e. The N = 2 n lines carry the load, the dead line's own sheave does not turn, so with K = e^-slip, from 1/e (hoisting) to e
-/// (lowering)
+/// it by e. The N = 2 n lines carry the load, the dead line's own sheave does not turn, so with K = e^-slip, from 1/e (hoisting)
+/// to e (lowering)
 ///   hook load = T_dead (1 + K + ... + K^(N-1)),   reading = N T_dead.
 /// Source: sum of line tensions as in API RP 9B (fast line factor with S = N sheaves: K^N (K - 1)/(K^N - 1) of the load); for the
 /// dead line: Luke and Juvkam-Wold, Determination of true hook load and line tension under dynamic conditions, SPE Drilling &

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_RIG_SETPOINTS_H
 #define DRILL_RIG_SIM_RIG_SETPOINTS_H
 
@@ -35,13 +36,28 @@ constexpr TopDriveModeTraits top_drive_modes[] = {
 };
 constexpr int top_drive_mode_count = sizeof top_drive_modes / sizeof top_drive_modes[0];
 
-constexpr bool is_known(TopDriveMode mode) noexcept { return static_cast<unsigned>(mode) < static_cast<unsigned>(top_drive_mode_count); }
+constexpr bool is_known(TopDriveMode mode) noexcept
+{
+  return static_cast<unsigned>(mode) < static_cast<unsigned>(top_drive_mode_count);
+}
 /// Of a known mode.
-constexpr DriveGoal goal_of(TopDriveMode mode) noexcept { return top_drive_modes[static_cast<int>(mode)].goal; }
+constexpr DriveGoal goal_of(TopDriveMode mode) noexcept
+{
+  return top_drive_modes[static_cast<int>(mode)].goal;
+}
 /// It turns the shaft to an angle or about one.
-constexpr bool turns_to_angle(DriveGoal goal) noexcept { return goal == DriveGoal::angle || goal == DriveGoal::swing; }
-constexpr bool turns_to_angle(TopDriveMode mode) noexcept { return turns_to_angle(goal_of(mode)); }
-constexpr bool keeps_speed(TopDriveMode mode) noexcept { return goal_of(mode) == DriveGoal::speed; }
+constexpr bool turns_to_angle(DriveGoal goal) noexcept
+{
+  return goal == DriveGoal::angle || goal == DriveGoal::swing;
+}
+constexpr bool turns_to_angle(TopDriveMode mode) noexcept
+{
+  return turns_to_angle(goal_of(mode));
+}
+constexpr bool keeps_speed(TopDriveMode mode) noexcept
+{
+  return goal_of(mode) == DriveGoal::speed;
+}
 
 /// The kinds of commands, each with set points of its own.
 enum class CommandKind
@@ -52,8 +68,12 @@ enum class CommandKind
   steering
 };
 constexpr int command_kinds = 4;
-constexpr const char* command_kind_names[command_kinds] = {"winch", "top_drive", "mud_pump", "steering"};  ///< as their topics begin
-constexpr unsigned bit_of(CommandKind kind) { return 1u << static_cast<unsigned>(kind); }
+constexpr const char* command_kind_names[command_kinds] = {"winch", "top_drive", "mud_pump",
+                                                           "steering"};  ///< as their topics begin
+constexpr unsigned bit_of(CommandKind kind)
+{
+  return 1u << static_cast<unsigned>(kind);
+}
 
 /// Set points, in the signs of the interface: block velocity + up, spin and torque + clockwise looking downhole.
 /// Called set points because the generated messages own the names WinchCommand, TopDriveCommand, RigState, RigLimits,
@@ -74,11 +94,11 @@ struct WinchSetpoint
 struct TopDriveSetpoint
 {
   TopDriveMode mode = TopDriveMode::speed;
-  double speed = 0.0;         ///< [rad/s]; of angle and oscillate the largest, 0 = angle_speed (drive_reference.h)
-  double torque = 0.0;        ///< [N m], torque mode
-  double angle = 0.0;         ///< of the shaft, unbounded, to be held or rocked about [rad], modes angle and oscillate
-  double torque_limit = 0.0;  ///< [N m]; 0 = the rig's
-  bool brake = false;         ///< on, whatever the mode; it comes on by itself at a speed of 0 and at the angle
+  double speed = 0.0;            ///< [rad/s]; of angle and oscillate the largest, 0 = angle_speed (drive_reference.h)
+  double torque = 0.0;           ///< [N m], torque mode
+  double angle = 0.0;            ///< of the shaft, unbounded, to be held or rocked about [rad], modes angle and oscillate
+  double torque_limit = 0.0;     ///< [N m]; 0 = the rig's
+  bool brake = false;            ///< on, whatever the mode; it comes on by itself at a speed of 0 and at the angle
   double amplitude_right = 0.0;  ///< clockwise, mode oscillate [rad]
   double amplitude_left = 0.0;   ///< counterclockwise [rad]
 
@@ -110,7 +130,8 @@ struct PumpSetpoint
 /// Of a rotary steerable tool.
 struct SteeringSetpoint
 {
-  double toolface = 0.0;  ///< of the force on the tool, clockwise looking downhole from the high side, or from north in a hole nearer the vertical [rad]
+  double toolface = 0.0;  ///< of the force on the tool, clockwise looking downhole from the high side, or from north in a hole
+                          ///< nearer the vertical [rad]
   double ratio = 0.0;     ///< of full steering, 0 .. 1
 
   template <class V>
@@ -148,8 +169,9 @@ inline bool operator==(const WinchSetpoint& a, const WinchSetpoint& b) noexcept
 
 inline bool operator==(const TopDriveSetpoint& a, const TopDriveSetpoint& b) noexcept
 {
-  return a.mode == b.mode && a.speed == b.speed && a.torque == b.torque && a.angle == b.angle && a.torque_limit == b.torque_limit &&
-         a.brake == b.brake && a.amplitude_right == b.amplitude_right && a.amplitude_left == b.amplitude_left;
+  return a.mode == b.mode && a.speed == b.speed && a.torque == b.torque && a.angle == b.angle &&
+         a.torque_limit == b.torque_limit && a.brake == b.brake && a.amplitude_right == b.amplitude_right &&
+         a.amplitude_left == b.amplitude_left;
 }
 
 inline bool operator==(const SteeringSetpoint& a, const SteeringSetpoint& b) noexcept

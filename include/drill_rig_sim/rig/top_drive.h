@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_RIG_TOP_DRIVE_H
 #define DRILL_RIG_SIM_RIG_TOP_DRIVE_H
 
@@ -7,27 +8,31 @@
 /// The top drive: a driven rotor, and the torque meter's spring between it and the string's top.
 ///
 ///   J dw/dt = tau + f - T,   T = k_m (rotor angle - string top's spin angle)
-/// J rotor inertia, w its speed, tau the motor's torque, f the friction of gearbox and brake, T the torque meter: + drives the string
-/// clockwise looking downhole.
+/// J rotor inertia, w its speed, tau the motor's torque, f the friction of gearbox and brake, T the torque meter: + drives the
+/// string clockwise looking downhole.
 ///
-/// The speed w* that the loop follows is the command's (SPEED, SOFT_TORQUE, Z_TORQUE) or leads to an angle (ANGLE, OSCILLATE), and
-/// moves by ramps: drive_reference.h.
-/// SPEED, ANGLE, OSCILLATE:  tau = k_p (w* - w) + k_i i + J dw*/dt, di/dt = w* - w, saturated; in ANGLE and OSCILLATE k_i is at least
+/// The speed w* that the loop follows is the command's (SPEED, SOFT_TORQUE, Z_TORQUE) or leads to an angle (ANGLE, OSCILLATE),
+/// and moves by ramps: drive_reference.h. SPEED, ANGLE, OSCILLATE:  tau = k_p (w* - w) + k_i i + J dw*/dt, di/dt = w* - w,
+/// saturated; in ANGLE and OSCILLATE k_i is at least
 ///   k_p^2/(4 J), or what the loop has gathered on the way would go on turning the string for seconds.
-/// SOFT_TORQUE, Z_TORQUE:    tau = T + q (P (w* - w) + I i - T) + J dw*/dt, q = 1/(1 - c): feeding the meter back makes the rotor as light as
-///   (1 - c) J, and the drive an impedance Z(s) = P + s (1 - c) J + I/s in front of the string's zeta (without friction). The wave that comes
-///   up comes back r = (Z - zeta)/(Z + zeta) times (Halsey, Kyllingstad and Kylling, SPE 18049, 1988; Kyllingstad and Nessjoen 2009).
+/// SOFT_TORQUE, Z_TORQUE:    tau = T + q (P (w* - w) + I i - T) + J dw*/dt, q = 1/(1 - c): feeding the meter back makes the rotor
+/// as light as
+///   (1 - c) J, and the drive an impedance Z(s) = P + s (1 - c) J + I/s in front of the string's zeta (without friction). The
+///   wave that comes up comes back r = (Z - zeta)/(Z + zeta) times (Halsey, Kyllingstad and Kylling, SPE 18049, 1988; Kyllingstad
+///   and Nessjoen 2009).
 /// TORQUE: tau = T*, held off where it would push the speed beyond +-max_speed: k_p (-w_max - w) <= tau <= k_p (w_max - w).
 /// Saturation: |tau| <= torque limit, and |tau w| <= max_power with w at the start of the step.
-/// Anti-windup: while saturated i moves only so far as it does not lead deeper into saturation; what it holds never exceeds the limit.
-/// In TORQUE i follows the motor's torque, k_i i = tau; between loops of other gains it is set so that tau goes on: so a change of mode
-/// takes over without a bump.
+/// Anti-windup: while saturated i moves only so far as it does not lead deeper into saturation; what it holds never exceeds the
+/// limit. In TORQUE i follows the motor's torque, k_i i = tau; between loops of other gains it is set so that tau goes on: so a
+/// change of mode takes over without a bump.
 ///
-/// Friction: Coulomb's, carried by a damped bristle z as at the wall (contact/wall_contact.h), so that what it holds does not creep:
+/// Friction: Coulomb's, carried by a damped bristle z as at the wall (contact/wall_contact.h), so that what it holds does not
+/// creep:
 ///   q = k_g (z + u) + c_g w,   f = -q while |q| <= f_max, else -f_max sign(q), and z goes to -f/k_g over c_g/k_g.
 /// f_max is the gearbox's, and the brake's with it while the brake is on: by command, and by itself in SPEED at a set point of 0
-/// once the rotor stands, in ANGLE once it stands where it should; then it stays on as long as the set point does. The brake takes the motor off,
-/// tau = 0, and what the integral held over into its bristle; k_i i = f then: neither takes over with a bump.
+/// once the rotor stands, in ANGLE once it stands where it should; then it stays on as long as the set point does. The brake
+/// takes the motor off, tau = 0, and what the integral held over into its bristle; k_i i = f then: neither takes over with a
+/// bump.
 ///
 /// The rotor is condensed out of the stage: all branches are affine and fall with the rotor's angle, hence one solution, in
 /// closed form.
@@ -70,9 +75,9 @@ struct DriveState
   double gear_twist = 0.0;   ///< z, of what gearbox and brake hold it by [rad]
   double reference = 0.0;    ///< w*, ramped [rad/s]; follows the rotor where no loop does
   TopDriveMode loop = TopDriveMode::speed;  ///< whose integral it is; TORQUE on the brake
-  bool swings_left = false;  ///< OSCILLATE: counterclockwise at present
+  bool swings_left = false;                 ///< OSCILLATE: counterclockwise at present
   bool braked = false;
-  bool limited = false;      ///< a limit of torque, power or speed holds the motor back
+  bool limited = false;  ///< a limit of torque, power or speed holds the motor back
 
   template <class V>
   void visit(V& v)
@@ -118,8 +123,8 @@ struct RotorResult
 /// @param start     of the step
 /// @param stage     da_du > 0
 /// @param top_spin  string top's spin increment since the start of the step [rad]
-RotorResult solve_rotor(const TopDriveSpec& spec, const TopDriveSetpoint& command, const DriveState& start, const RotorStage& stage,
-                        double top_spin) noexcept;
+RotorResult solve_rotor(const TopDriveSpec& spec, const TopDriveSetpoint& command, const DriveState& start,
+                        const RotorStage& stage, double top_spin) noexcept;
 
 /// Motor and friction at a given motion of the rotor.
 struct DriveTorque
@@ -132,11 +137,11 @@ struct DriveTorque
   DriveState state;       ///< if a step ends there
 };
 
-/// The same laws where the rotor is integrated elsewhere: the torques on it after it has turned by `turn` [rad] in `time` [s] since the
-/// start of the step, runs at `speed` [rad/s] and is `twist` [rad] ahead of the string's top. The loop's integral is exact over the step:
-/// of the angle that w* would have turned, less `turn`.
-DriveTorque drive_torque(const TopDriveSpec& spec, const TopDriveSetpoint& command, const DriveState& start, double time, double turn,
-                         double speed, double twist) noexcept;
+/// The same laws where the rotor is integrated elsewhere: the torques on it after it has turned by `turn` [rad] in `time` [s]
+/// since the start of the step, runs at `speed` [rad/s] and is `twist` [rad] ahead of the string's top. The loop's integral is
+/// exact over the step: of the angle that w* would have turned, less `turn`.
+DriveTorque drive_torque(const TopDriveSpec& spec, const TopDriveSetpoint& command, const DriveState& start, double time,
+                         double turn, double speed, double twist) noexcept;
 
 /// Whether the brake is on in a step from `start`; never where there is none.
 bool brake_is_on(const TopDriveSpec& spec, const TopDriveSetpoint& command, const DriveState& start) noexcept;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_ROS_DIAGNOSTICS_PUBLISHER_H
 #define DRILL_RIG_SIM_ROS_DIAGNOSTICS_PUBLISHER_H
 
@@ -22,8 +23,8 @@ class DiagnosticsPublisher
 {
 public:
   /// `last` gives the last frame published, `clock_trouble` what is wrong with /clock, empty where nothing is.
-  DiagnosticsPublisher(ros::NodeHandle& node, std::function<FrameRecord()> last, const Refusals& refusals, const CommandSenders& senders,
-                       std::function<std::string()> clock_trouble);
+  DiagnosticsPublisher(ros::NodeHandle& node, std::function<FrameRecord()> last, const Refusals& refusals,
+                       const CommandSenders& senders, std::function<std::string()> clock_trouble);
   void publish();
 
 private:
@@ -31,7 +32,7 @@ private:
   const Refusals& refusals_;
   const CommandSenders& senders_;
   std::function<std::string()> clock_trouble_;
-  std::mutex mutex_;  // guards what follows: a change of state reports from another thread
+  std::mutex mutex_;     // guards what follows: a change of state reports from another thread
   std::string trouble_;  // of the operations, logged once
   DiagnosticsReport report_;
   ros::Publisher diagnostics_;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_ROS_DIAGNOSTICS_REPORT_H
 #define DRILL_RIG_SIM_ROS_DIAGNOSTICS_REPORT_H
 
@@ -32,15 +33,17 @@ private:
 /// Why an operation was given up, one line; empty where none was.
 std::string trouble_of(const OperationStatus& operation);
 
-/// What /diagnostics says of a frame: time, physics, accuracy, commands. Remembers what the report before said, for what has happened since.
+/// What /diagnostics says of a frame: time, physics, accuracy, commands. Remembers what the report before said, for what has
+/// happened since.
 class DiagnosticsReport
 {
 public:
   /// `name`: of the node, without the leading slash.
   explicit DiagnosticsReport(std::string name) : name_(std::move(name)) {}
-  /// `clock_trouble`: what is wrong with /clock, `sender_trouble`: with who sends commands, empty where nothing is; `now`: of the steady clock [ns].
-  diagnostic_msgs::DiagnosticArray on(const FrameRecord& frame, const Refusals& refusals, const std::string& clock_trouble, std::int64_t now,
-                                      const std::string& sender_trouble = "");
+  /// `clock_trouble`: what is wrong with /clock, `sender_trouble`: with who sends commands, empty where nothing is; `now`: of the
+  /// steady clock [ns].
+  diagnostic_msgs::DiagnosticArray on(const FrameRecord& frame, const Refusals& refusals, const std::string& clock_trouble,
+                                      std::int64_t now, const std::string& sender_trouble = "");
 
 private:
   using Status = diagnostic_updater::DiagnosticStatusWrapper;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_ROS_FOLLOWER_WATCH_H
 #define DRILL_RIG_SIM_ROS_FOLLOWER_WATCH_H
 
@@ -16,14 +17,17 @@
 
 namespace drill_rig_sim
 {
-/// How far the rigs have come that follow a clock, by the stamps of their next frames [ns]; knows only the times that it is given.
+/// How far the rigs have come that follow a clock, by the stamps of their next frames [ns]; knows only the times that it is
+/// given.
 class Followers
 {
 public:
-  static constexpr std::int64_t not_begun = 0;          ///< the follower has not received a clock yet
-  static constexpr std::int64_t failed = INT64_MAX;     ///< its last frame failed: there is no next one
-  static constexpr std::int64_t of_an_earlier_clock = 2'000'000'000;  ///< more than this ahead, a follower still shows the clock of an earlier run [ns]
-  static constexpr double silent = 2.0;                 ///< of several, the ones that have said nothing for so long are those that have gone [wall s]
+  static constexpr std::int64_t not_begun = 0;       ///< the follower has not received a clock yet
+  static constexpr std::int64_t failed = INT64_MAX;  ///< its last frame failed: there is no next one
+  static constexpr std::int64_t of_an_earlier_clock =
+      2'000'000'000;  ///< more than this ahead, a follower still shows the clock of an earlier run [ns]
+  static constexpr double silent =
+      2.0;  ///< of several, the ones that have said nothing for so long are those that have gone [wall s]
 
   void hear(const std::string& name, std::int64_t next, const ros::SteadyTime& now) { heard_[name] = {next, now}; }
   /// Leaves out those that are gone where `connected` is how many are still there. Returns whether there were any.
@@ -51,8 +55,8 @@ public:
   /// `hear_slowest` gets the least stamp of the followers' next frames [ns], by any thread.
   FollowerWatch(ros::NodeHandle& node, const Parameters& parameters, std::function<void(std::int64_t)> hear_slowest);
 
-  /// Waits until all followers have computed their frames up to `stamp` [ns]. Empty, or why one has not, one line. A follower that has not received a clock
-  /// yet gets this one again. One caller at a time.
+  /// Waits until all followers have computed their frames up to `stamp` [ns]. Empty, or why one has not, one line. A follower
+  /// that has not received a clock yet gets this one again. One caller at a time.
   std::string wait_for(std::int64_t stamp);
   /// By another thread: wait_for() under way returns.
   void give_up();

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_ROS_FRAME_PUBLISHER_H
 #define DRILL_RIG_SIM_ROS_FRAME_PUBLISHER_H
 
@@ -20,7 +21,8 @@ class FramePublisher
 {
 public:
   /// `ask_for_picture` is called for the first subscriber, for nothing was made before.
-  FramePublisher(ros::NodeHandle& node, const Parameters& parameters, Subscriptions& subscriptions, std::function<void()> ask_for_picture);
+  FramePublisher(ros::NodeHandle& node, const Parameters& parameters, Subscriptions& subscriptions,
+                 std::function<void()> ask_for_picture);
   void publish(const FrameOutput& s);
 
 private:

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_ROS_FRAME_TOPIC_H
 #define DRILL_RIG_SIM_ROS_FRAME_TOPIC_H
 
@@ -15,16 +16,17 @@ namespace drill_rig_sim
 /// Whether something was posted since send_posted() was called last; by any thread.
 inline std::atomic<bool> something_posted{false};
 
-/// A topic that has a message in every frame. ros::Publisher wakes roscpp's sending thread for each message, which then looks through all topics:
-/// with ten topics at 1 kHz that costs more than the sending. Here a message waits until send_posted() wakes it for the whole frame, in the order
-/// in which the topics were advertised. Without a subscriber nothing is made.
+/// A topic that has a message in every frame. ros::Publisher wakes roscpp's sending thread for each message, which then looks
+/// through all topics: with ten topics at 1 kHz that costs more than the sending. Here a message waits until send_posted() wakes
+/// it for the whole frame, in the order in which the topics were advertised. Without a subscriber nothing is made.
 template <class Message>
 class FrameTopic
 {
 public:
   /// `queue`: messages kept for a subscriber who is slow.
   FrameTopic(ros::NodeHandle& node, const std::string& name, std::uint32_t queue)
-      : publisher_(node.advertise<Message>(name, queue)), publication_(ros::TopicManager::instance()->lookupPublication(publisher_.getTopic()))
+      : publisher_(node.advertise<Message>(name, queue)),
+        publication_(ros::TopicManager::instance()->lookupPublication(publisher_.getTopic()))
   {
   }
 
@@ -35,7 +37,8 @@ public:
     if (!publication_) return;
     if (!publication_->hasSubscribers())
     {
-      publication_->incrementSequence();  // the header's seq counts the messages without a subscriber too, as ros::Publisher's does
+      publication_
+          ->incrementSequence();  // the header's seq counts the messages without a subscriber too, as ros::Publisher's does
       return;
     }
     ros::SerializedMessage message = ros::serialization::serializeMessage<Message>(make());
@@ -44,7 +47,7 @@ public:
   }
 
 private:
-  ros::Publisher publisher_;  // advertises as long as it lives
+  ros::Publisher publisher_;         // advertises as long as it lives
   ros::PublicationPtr publication_;  // none where the node was ended before it had begun
 };
 

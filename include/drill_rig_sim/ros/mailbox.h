@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_ROS_MAILBOX_H
 #define DRILL_RIG_SIM_ROS_MAILBOX_H
 
@@ -39,7 +40,8 @@ private:
   std::atomic<std::uint64_t> number_{0};
 };
 
-/// Receives the command topics and keeps the latest good one of each kind for the simulation thread; the others it refuses at once.
+/// Receives the command topics and keeps the latest good one of each kind for the simulation thread; the others it refuses at
+/// once.
 class Mailbox
 {
 public:
@@ -60,8 +62,8 @@ public:
   const PumpSetpoint* pump() noexcept { return pump_.read(); }
   const SteeringSetpoint* steering() noexcept { return steering_.read(); }
 
-  /// For the simulation thread: whether a command of each of these kinds, a sum of bit_of(), has come since the last time that this was so,
-  /// stamped 0 or not before `stamp` [ns]: an older one answers an earlier state.
+  /// For the simulation thread: whether a command of each of these kinds, a sum of bit_of(), has come since the last time that
+  /// this was so, stamped 0 or not before `stamp` [ns]: an older one answers an earlier state.
   bool answered(unsigned kinds, std::int64_t stamp) noexcept;
   /// What the simulation thread waits on; a refused command posts it, with `for_commands` each one that is kept too.
   Semaphore& bell() noexcept { return bell_; }

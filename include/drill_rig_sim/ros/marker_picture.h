@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_ROS_MARKER_PICTURE_H
 #define DRILL_RIG_SIM_ROS_MARKER_PICTURE_H
 
@@ -11,8 +12,8 @@
 
 namespace drill_rig_sim
 {
-/// The rig as rviz draws it: the string coloured by a quantity, the bit, contact forces, the wellbore as a tube, its stations, the
-/// travelling block. Fixed namespaces and ids, so each message replaces what it shows; the tube is there when it has changed.
+/// The rig as rviz draws it: the string coloured by a quantity, the bit, contact forces, the wellbore as a tube, its stations,
+/// the travelling block. Fixed namespaces and ids, so each message replaces what it shows; the tube is there when it has changed.
 ///
 /// Lateral exaggeration: the hole's radius, the pipe's and the string's offset from the hole's axis are drawn larger by this
 /// factor, because a hole of 0.3 m in a well of 730 m is thinner than a pixel. Lengths along the hole stay true.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_ROS_MARKER_PUBLISHER_H
 #define DRILL_RIG_SIM_ROS_MARKER_PUBLISHER_H
 
@@ -17,7 +18,8 @@ class MarkerPublisher
 {
 public:
   /// `ask_for_picture` is called for each new subscriber.
-  MarkerPublisher(ros::NodeHandle& node, const Parameters& parameters, Subscriptions& subscriptions, std::function<void()> ask_for_picture);
+  MarkerPublisher(ros::NodeHandle& node, const Parameters& parameters, Subscriptions& subscriptions,
+                  std::function<void()> ask_for_picture);
   void publish(const FrameOutput& s);
 
 private:

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_ROS_PUBLISHING_THREAD_H
 #define DRILL_RIG_SIM_ROS_PUBLISHING_THREAD_H
 
@@ -51,8 +52,8 @@ private:
   FramePublisher frames_;
   MarkerPublisher markers_;
   TrajectoryPublisher trajectory_;
-  std::int64_t period_;       // of a frame [ns]
-  ros::Publisher next_frame_;  // where the time is another rig's: how far this one has come
+  std::int64_t period_;                                    // of a frame [ns]
+  ros::Publisher next_frame_;                              // where the time is another rig's: how far this one has come
   std::optional<FrameTopic<rosgraph_msgs::Clock>> clock_;  // advertised last, so sent last; none where the time is another's
 
   mutable std::mutex mutex_;  // guards last_ and published_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_ROS_RUN_BAG_H
 #define DRILL_RIG_SIM_ROS_RUN_BAG_H
 
@@ -15,8 +16,9 @@ namespace drill_rig_sim
 class RunBag
 {
 public:
-  /// Begins the file. Throws std::runtime_error with one line if it cannot, as every function here. `scene`: the run's, by which it can be
-  /// played again. `with_companion`: the truth of the companion (numerics.companion) too, while it runs: companion/truth/rig_state, companion/truth/bit.
+  /// Begins the file. Throws std::runtime_error with one line if it cannot, as every function here. `scene`: the run's, by which
+  /// it can be played again. `with_companion`: the truth of the companion (numerics.companion) too, while it runs:
+  /// companion/truth/rig_state, companion/truth/bit.
   RunBag(const std::string& file, const Scene& scene, bool with_companion = false);
   /// Ends it, without a word if that fails.
   ~RunBag();
@@ -37,18 +39,18 @@ struct RecordedRun
   /// After a frame.
   struct Row
   {
-    double time = 0.0;        ///< since the start of the rig [s]
-    Setpoints setpoints;      ///< in force in that frame
-    bool commanded = false;   ///< a command was accepted by then: from the first one on the scene's program is not played
-    double hook_load = 0.0;   ///< as it is [N]
-    double torque = 0.0;      ///< [N m]
+    double time = 0.0;       ///< since the start of the rig [s]
+    Setpoints setpoints;     ///< in force in that frame
+    bool commanded = false;  ///< a command was accepted by then: from the first one on the scene's program is not played
+    double hook_load = 0.0;  ///< as it is [N]
+    double torque = 0.0;     ///< [N m]
   };
   std::string scene;  ///< a scene file; empty: the bag holds none
   std::vector<Row> rows;
 };
 
-/// Of a bag, the rig in the namespace `rig`, or the only one where that is empty, from its last start on. Throws std::runtime_error with one line: file, what is wrong, what is
-/// needed.
+/// Of a bag, the rig in the namespace `rig`, or the only one where that is empty, from its last start on. Throws
+/// std::runtime_error with one line: file, what is wrong, what is needed.
 RecordedRun read_recorded_run(const std::string& file, const std::string& rig);
 
 }  // namespace drill_rig_sim

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_ROS_SERVICES_H
 #define DRILL_RIG_SIM_ROS_SERVICES_H
 
@@ -62,7 +63,8 @@ private:
   std::string step(const StepSimulation::Request& request, StepSimulation::Response& answer, Lock& lock);
 
   void rebuild(const Scene& scene);
-  /// Publishes what the rig of `scene` is made of, and the scene itself, its program only where that is played; sets the parameter robot_description. `stamp`: of the rig's start [ns]
+  /// Publishes what the rig of `scene` is made of, and the scene itself, its program only where that is played; sets the
+  /// parameter robot_description. `stamp`: of the rig's start [ns]
   void describe(const Scene& scene, std::int64_t stamp) const;
   /// Where `next` is another rig than the running one; what the answer says of it.
   std::string forget_states_of_another(const Scene& next);

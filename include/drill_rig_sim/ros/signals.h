@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_ROS_SIGNALS_H
 #define DRILL_RIG_SIM_ROS_SIGNALS_H
 
 namespace drill_rig_sim
 {
 /// SIGINT and SIGTERM end the node: roscpp shuts down, which takes it off the master, and what waits for that goes on. Where the
-/// process has not ended by itself 6 s later, because a large rig is being built or one frame takes long, it ends with status 0 all
-/// the same: nothing is left to be written. Call once, after ros::init() with NoSigintHandler.
+/// process has not ended by itself 6 s later, because a large rig is being built or one frame takes long, it ends with status 0
+/// all the same: nothing is left to be written. Call once, after ros::init() with NoSigintHandler.
 void end_on_signals();
 
 }  // namespace drill_rig_sim

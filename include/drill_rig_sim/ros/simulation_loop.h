@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_ROS_SIMULATION_LOOP_H
 #define DRILL_RIG_SIM_ROS_SIMULATION_LOOP_H
 
@@ -27,7 +28,7 @@ struct Subscriptions
   std::atomic<bool> markers{false};
   std::atomic<bool> tf{false};
   std::atomic<bool> tf_missing{false};  ///< a subscriber of tf has received none yet
-  std::atomic<bool> refresh{false};  ///< a new subscriber waits for the present state
+  std::atomic<bool> refresh{false};     ///< a new subscriber waits for the present state
   std::atomic<bool> time_stands{true};  ///< written by the simulation thread: no frame comes before it is asked for
 };
 
@@ -56,12 +57,13 @@ struct StepResult
     shut_down     ///< by halt()
   };
   End end = End::complete;
-  std::uint32_t frames = 0;  ///< computed, a failed one included
+  std::uint32_t frames = 0;       ///< computed, a failed one included
   std::uint64_t handed_over = 0;  ///< to the publishers since the node began, the step's last one included
 };
 
 /// The simulation thread: takes the commands, computes a frame when the timekeeper lets it, hands over its output. It never
-/// locks, logs or allocates (the outputs' arrays have got their memory before), but between two frames where a connection ends: for the string is rebuilt then. It waits in one place, on one semaphore.
+/// locks, logs or allocates (the outputs' arrays have got their memory before), but between two frames where a connection ends:
+/// for the string is rebuilt then. It waits in one place, on one semaphore.
 class SimulationLoop
 {
 public:
@@ -123,8 +125,8 @@ public:
   /// For between-frames callbacks: the step under way ends here. False: none is.
   bool end_step_early() noexcept;
 
-  /// Lockstep, for between-frames callbacks: has `frames` frames computed. wait_for_step(), by the same caller outside of the callback, waits
-  /// until they are handed over, fewer where one fails or the step is ended. One caller at a time.
+  /// Lockstep, for between-frames callbacks: has `frames` frames computed. wait_for_step(), by the same caller outside of the
+  /// callback, waits until they are handed over, fewer where one fails or the step is ended. One caller at a time.
   void begin_step(std::uint32_t frames) noexcept;
   StepResult wait_for_step() noexcept;
 
@@ -213,9 +215,9 @@ private:
   std::uint32_t frames_to_go_ = 0;
   bool stepping_ = false;
   StepResult step_;
-  std::uint32_t epoch_ = 0;  // of FrameRecord
+  std::uint32_t epoch_ = 0;                      // of FrameRecord
   RunState run_state_said_ = RunState::waiting;  // what rig_state said last
-  bool announced_ = false;  // a stamped frame of this rig has been handed over
+  bool announced_ = false;                       // a stamped frame of this rig has been handed over
   std::thread thread_;
 };
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_ROS_STANDING_TOPIC_H
 #define DRILL_RIG_SIM_ROS_STANDING_TOPIC_H
 
@@ -19,14 +20,15 @@ struct Audience
   const std::atomic<bool>& time_stands;  ///< no frame comes before it is asked for
 };
 
-/// A topic that shows a state, made while it has subscribers. While time stands nothing is repeated: a new subscriber then receives the last message,
-/// or, without one, has one made.
+/// A topic that shows a state, made while it has subscribers. While time stands nothing is repeated: a new subscriber then
+/// receives the last message, or, without one, has one made.
 template <class Message>
 class StandingTopic
 {
 public:
   /// `ask` is called when a message is owed while time may stand.
-  StandingTopic(ros::NodeHandle& node, const std::string& name, std::uint32_t queue, const Audience& audience, std::function<void()> ask)
+  StandingTopic(ros::NodeHandle& node, const std::string& name, std::uint32_t queue, const Audience& audience,
+                std::function<void()> ask)
       : audience_(audience),
         ask_(std::move(ask)),
         publisher_(node.advertise<Message>(

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_ROS_STATE_PUBLISHER_H
 #define DRILL_RIG_SIM_ROS_STATE_PUBLISHER_H
 
@@ -24,12 +25,14 @@
 
 namespace drill_rig_sim
 {
-/// Publishes the readings (rig_state and its kin, downhole telemetry), the truth (truth/rig_state, the bit, the string's profile), the accuracy, the limits.
+/// Publishes the readings (rig_state and its kin, downhole telemetry), the truth (truth/rig_state, the bit, the string's
+/// profile), the accuracy, the limits.
 class StatePublisher
 {
 public:
   /// `ask_for_picture` is called for the first subscriber of the string's profile.
-  StatePublisher(ros::NodeHandle& node, const Parameters& parameters, Subscriptions& subscriptions, std::function<void()> ask_for_picture);
+  StatePublisher(ros::NodeHandle& node, const Parameters& parameters, Subscriptions& subscriptions,
+                 std::function<void()> ask_for_picture);
   /// What comes with every frame is posted: send_posted() sends it.
   void publish(const FrameOutput& s);
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_ROS_TELEMETRY_NEWS_H
 #define DRILL_RIG_SIM_ROS_TELEMETRY_NEWS_H
 
@@ -31,7 +32,10 @@ public:
 
 private:
   using Sequences = std::array<std::uint64_t, 4>;
-  static Sequences sequences_of(const Readings& r) noexcept { return {r.mwd.sequence, r.toolface.sequence, r.inclination.sequence, r.dynamics.sequence}; }
+  static Sequences sequences_of(const Readings& r) noexcept
+  {
+    return {r.mwd.sequence, r.toolface.sequence, r.inclination.sequence, r.dynamics.sequence};
+  }
 
   Sequences last_{};
 };

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // THE list of faults: one row a fault. It has no include guard: it is included once for each thing that is made from it.
 //
 //   FAULT(name, label, place, by_ida, target, magnitude)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SCENE_FAULT_SPEC_H
 #define DRILL_RIG_SIM_SCENE_FAULT_SPEC_H
 
@@ -22,7 +23,7 @@ enum class FaultKind
 enum class FaultPlace
 {
   nowhere,
-  in_pipe,         ///< there must be pipe in the hole
+  in_pipe,  ///< there must be pipe in the hole
   in_hole,
   from_there_down  ///< 0: all of the hole
 };
@@ -36,13 +37,13 @@ enum class FaultTarget
 /// A fault's `magnitude`.
 struct FaultMagnitude
 {
-  const char* label;     ///< for displays; null: it has none
-  Dimension dimension;   ///< count: that of the gauge
-  bool per_second;       ///< in units of the dimension per second
-  double least, most;    ///< allowed [SI]
-  bool without_least;    ///< `least` itself is not allowed
-  double usual;          ///< for displays to begin with [SI]
-  const char* refusal;   ///< one line that says what is allowed
+  const char* label;    ///< for displays; null: it has none
+  Dimension dimension;  ///< count: that of the gauge
+  bool per_second;      ///< in units of the dimension per second
+  double least, most;   ///< allowed [SI]
+  bool without_least;   ///< `least` itself is not allowed
+  double usual;         ///< for displays to begin with [SI]
+  const char* refusal;  ///< one line that says what is allowed
 };
 
 constexpr FaultMagnitude no_magnitude{nullptr, Dimension::number, false, 0.0, 0.0, false, 0.0, nullptr};
@@ -57,8 +58,10 @@ constexpr FaultMagnitude factor(double least, double most, double usual, const c
 /// Of a gauge, either way; 0 would be no fault.
 constexpr FaultMagnitude of_signal(const char* label, bool per_second = false)
 {
-  return {label, Dimension::count, per_second, -1e9, 1e9, false, 0.0,
-          "magnitude: allowed is anything but 0 up to 1e9 units of the signal either way (per second: drift)"};
+  return {label,      Dimension::count,
+          per_second, -1e9,
+          1e9,        false,
+          0.0,        "magnitude: allowed is anything but 0 up to 1e9 units of the signal either way (per second: drift)"};
 }
 
 struct FaultTraits
@@ -73,30 +76,45 @@ struct FaultTraits
 
 /// By FaultKind.
 constexpr FaultTraits fault_traits[] = {
-#define FAULT(name, label, place, by_ida, target, magnitude) {#name, label, FaultPlace::place, by_ida, FaultTarget::target, magnitude},
+#define FAULT(name, label, place, by_ida, target, magnitude) \
+  {#name, label, FaultPlace::place, by_ida, FaultTarget::target, magnitude},
 #include "drill_rig_sim/scene/fault_list.h"
 };
 constexpr int fault_count = sizeof fault_traits / sizeof fault_traits[0];
-constexpr const FaultTraits& traits_of(FaultKind kind) noexcept { return fault_traits[static_cast<int>(kind)]; }
+constexpr const FaultTraits& traits_of(FaultKind kind) noexcept
+{
+  return fault_traits[static_cast<int>(kind)];
+}
 
 /// A fault as requested.
 struct Fault
 {
   FaultKind kind = FaultKind::stuck_pipe;
-  double depth = 0.0;      ///< where it has a place [m MD]
-  double magnitude = 0.0;  ///< in its own unit (InjectFault.srv)
+  double depth = 0.0;              ///< where it has a place [m MD]
+  double magnitude = 0.0;          ///< in its own unit (InjectFault.srv)
   Gauge gauge = Gauge::hook_load;  ///< of a sensor's fault
 };
 
 /// Whether it is of a gauge; has a place where there must be pipe in the hole; has a magnitude.
-constexpr bool is_of_gauge(FaultKind kind) noexcept { return traits_of(kind).target == FaultTarget::gauge; }
-constexpr bool needs_pipe(FaultKind kind) noexcept { return traits_of(kind).place == FaultPlace::in_pipe; }
-constexpr bool has_magnitude(FaultKind kind) noexcept { return traits_of(kind).magnitude.label != nullptr; }
+constexpr bool is_of_gauge(FaultKind kind) noexcept
+{
+  return traits_of(kind).target == FaultTarget::gauge;
+}
+constexpr bool needs_pipe(FaultKind kind) noexcept
+{
+  return traits_of(kind).place == FaultPlace::in_pipe;
+}
+constexpr bool has_magnitude(FaultKind kind) noexcept
+{
+  return traits_of(kind).magnitude.label != nullptr;
+}
 
-/// The fault of this kind, and of the gauge that `gauge` names if it is of one. Throws std::runtime_error with one line where there is no such gauge.
+/// The fault of this kind, and of the gauge that `gauge` names if it is of one. Throws std::runtime_error with one line where
+/// there is no such gauge.
 Fault fault_of(FaultKind kind, const std::string& gauge, double depth, double magnitude);
 
-/// Throws std::runtime_error with one line where a fault has a number or a gauge, as requested, that faults of this kind do not have.
+/// Throws std::runtime_error with one line where a fault has a number or a gauge, as requested, that faults of this kind do not
+/// have.
 void require_only_what_applies(FaultKind kind, const std::string& gauge, double depth, double magnitude);
 
 /// Which faults are under way.

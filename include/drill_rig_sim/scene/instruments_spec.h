@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SCENE_INSTRUMENTS_SPEC_H
 #define DRILL_RIG_SIM_SCENE_INSTRUMENTS_SPEC_H
 
@@ -70,8 +71,9 @@ struct MwdSpec
   double inclination_resolution = 0.0;  ///< [rad]
   double noise = 0.0;                   ///< standard deviation of inclination and azimuth [rad]
   double scribe_offset = 0.0;           ///< added to the sensor's toolface to name the bend's [rad]
-  double quiet_time = 0.0;              ///< period 0: the survey is taken so long after the flow has stopped, and sent when it is back [s]; 0: taken then
-  double inclination_period = 0.0;      ///< between readings of the continuous inclination [s]; 0: none
+  double quiet_time =
+      0.0;  ///< period 0: the survey is taken so long after the flow has stopped, and sent when it is back [s]; 0: taken then
+  double inclination_period = 0.0;  ///< between readings of the continuous inclination [s]; 0: none
 };
 
 struct ToolfaceSpec

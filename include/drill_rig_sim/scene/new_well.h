@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SCENE_NEW_WELL_H
 #define DRILL_RIG_SIM_SCENE_NEW_WELL_H
 
@@ -9,14 +10,14 @@
 #include "drill_rig_sim/scene/survey_format.h"
 #include "drill_rig_sim/well/tie_in.h"
 
-/// Another well or another start for a scene. Each function throws std::runtime_error with one line that names the file, the station or the value,
-/// what is wrong and what is allowed.
+/// Another well or another start for a scene. Each function throws std::runtime_error with one line that names the file, the
+/// station or the value, what is wrong and what is allowed.
 namespace drill_rig_sim
 {
 /// A well asked for in place of the scene's: a file or stations.
 struct NewWell
 {
-  std::string file;  ///< of a survey (survey_file.h); empty: the stations
+  std::string file;                 ///< of a survey (survey_file.h); empty: the stations
   std::vector<double> md;           ///< of the stations [m]
   std::vector<double> inclination;  ///< [rad]
   std::vector<double> azimuth;      ///< [rad]

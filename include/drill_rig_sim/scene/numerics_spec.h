@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SCENE_NUMERICS_SPEC_H
 #define DRILL_RIG_SIM_SCENE_NUMERICS_SPEC_H
 
@@ -42,7 +43,8 @@ constexpr bool varies_steps(IntegratorKind kind) noexcept
   return kind == IntegratorKind::automatic || kind == IntegratorKind::bdf2;
 }
 
-/// A scene's step where it gives none [s]: variable at level automatic by a method that can, else default_step, chosen by ./test/accuracy/run --operations
+/// A scene's step where it gives none [s]: variable at level automatic by a method that can, else default_step, chosen by
+/// ./test/accuracy/run --operations
 /// --variants. with_choice() (sim/choice.h) makes it one of these.
 constexpr double step_by_level = -1.0, default_step = 0.01;
 
@@ -70,23 +72,26 @@ enum class Judge
 
 struct NumericsSpec
 {
-  Level level = Level::automatic;   ///< as chosen by with_choice() (sim/choice.h)
+  Level level = Level::automatic;  ///< as chosen by with_choice() (sim/choice.h)
   IntegratorKind integrator = IntegratorKind::automatic;
   ElementKind element = ElementKind::automatic;
   Kernel kernel = Kernel::automatic;
-  double step = step_by_level;      ///< [s]; 0: variable (solve/step_control.h)
-  double element_length = 0.0;      ///< longest element [m]; 0: by the hole, element_lengths() (scene_mesh.h)
+  double step = step_by_level;         ///< [s]; 0: variable (solve/step_control.h)
+  double element_length = 0.0;         ///< longest element [m]; 0: by the hole, element_lengths() (scene_mesh.h)
   double pushed_element_length = 0.0;  ///< longest element where friction pushes the pipe that slides down [m]; 0: as elsewhere
-  double guided_element_length = 0.0;  ///< longest element of guided pipe that friction does not push, above 9.5 m two joints [m]; 0: as elsewhere
-  double free_length = 0.0;         ///< level hybrid: nodes up to here above the bit's face are free [m]; 0: free_length() (scene_mesh.h)
-  double tolerance = 0.02;          ///< relative, of the scene's outputs; of variable steps, level auto and the mesh by the hole
-  double refinement = 1.0;          ///< factor by which elements and steps are shorter: for seeing how results converge [-]
+  double guided_element_length =
+      0.0;  ///< longest element of guided pipe that friction does not push, above 9.5 m two joints [m]; 0: as elsewhere
+  double free_length =
+      0.0;                  ///< level hybrid: nodes up to here above the bit's face are free [m]; 0: free_length() (scene_mesh.h)
+  double tolerance = 0.02;  ///< relative, of the scene's outputs; of variable steps, level auto and the mesh by the hole
+  double refinement = 1.0;  ///< factor by which elements and steps are shorter: for seeing how results converge [-]
   CompanionKind companion = CompanionKind::automatic;
   Judge judge = Judge::truth;
-  double reference_tolerance = 1e-6;  ///< integrator ida: of velocities [m/s, rad/s] and relative; a hundredth of it of places [m, rad]
-  int reference_order = 2;          ///< integrator ida: highest order; 2 is the last that damps every oscillation (A-stable)
-  int reference_index = 2;          ///< integrator ida: 2 with both levels of constraints, 3 to show how it fails
-  double newton_tolerance = 1e-6;   ///< error that Newton's iteration may leave in a step's increments [m, rad]
+  double reference_tolerance =
+      1e-6;                 ///< integrator ida: of velocities [m/s, rad/s] and relative; a hundredth of it of places [m, rad]
+  int reference_order = 2;  ///< integrator ida: highest order; 2 is the last that damps every oscillation (A-stable)
+  int reference_index = 2;  ///< integrator ida: 2 with both levels of constraints, 3 to show how it fails
+  double newton_tolerance = 1e-6;  ///< error that Newton's iteration may leave in a step's increments [m, rad]
   double structural_damping =
       1e-4;  ///< of stretch, twist and bending (BeamDamping): stress = E (strain + value * strain rate) [s]
 

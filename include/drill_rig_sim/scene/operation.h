@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SCENE_OPERATION_H
 #define DRILL_RIG_SIM_SCENE_OPERATION_H
 
@@ -26,16 +27,21 @@ constexpr OperationTraits operation_traits[] = {
 #define OPERATION(name, moves, drills, by_crew, ...) {#name, moves, drills, by_crew},
 #include "drill_rig_sim/scene/operation_list.h"
 };
-constexpr const OperationTraits& traits_of(OperationKind kind) noexcept { return operation_traits[static_cast<int>(kind)]; }
+constexpr const OperationTraits& traits_of(OperationKind kind) noexcept
+{
+  return operation_traits[static_cast<int>(kind)];
+}
 
-/// One operation. NaN means that it does not end by this. It goes by the readings, as a driller does, and ends by whichever of its ends comes first.
+/// One operation. NaN means that it does not end by this. It goes by the readings, as a driller does, and ends by whichever of
+/// its ends comes first.
 struct Operation
 {
   static constexpr double unset = std::numeric_limits<double>::quiet_NaN();
   OperationKind kind = OperationKind::wait;
-  double ramp = 0.0;             ///< over which flow or rotary speed is reached, in a straight line [s]
-  double flow = 0.0;             ///< of the pump [m3/s]
-  double rotary_speed = 0.0;     ///< + clockwise; of oscillate, and of slide that rocks, the largest, 0: angle_speed (drive_reference.h) [rad/s]
+  double ramp = 0.0;  ///< over which flow or rotary speed is reached, in a straight line [s]
+  double flow = 0.0;  ///< of the pump [m3/s]
+  double rotary_speed =
+      0.0;  ///< + clockwise; of oscillate, and of slide that rocks, the largest, 0: angle_speed (drive_reference.h) [rad/s]
   double speed = 0.1;            ///< of the block; of drill and slide the largest [m/s]
   double weight = unset;         ///< surface weight on bit: to be kept by drill and slide, an end of slack_off and tag [N]
   double toolface = 0.0;         ///< to be held; of steer as SteeringSetpoint's [rad]
@@ -56,8 +62,14 @@ inline bool is_set(double value) noexcept
   return !std::isnan(value);
 }
 /// The word of the scene file.
-constexpr const char* word_of(OperationKind kind) noexcept { return traits_of(kind).word; }
-constexpr bool needs_crew(OperationKind kind) noexcept { return traits_of(kind).by_crew; }
+constexpr const char* word_of(OperationKind kind) noexcept
+{
+  return traits_of(kind).word;
+}
+constexpr bool needs_crew(OperationKind kind) noexcept
+{
+  return traits_of(kind).by_crew;
+}
 /// Of a kind, with what it is by default.
 Operation default_operation(OperationKind kind) noexcept;
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // THE list of operations: one row an operation. It has no include guard: it is included once for each thing that is made from it.
 //
 //   OPERATION(name, moves, drills, by_crew, follow)
@@ -8,8 +9,8 @@
 // by_crew  whether the rig's crew (crew/crew.h) makes connections for it, whatever `connections` of the scene says
 // follow   method of OperationsPlayer (crew/operations.cpp) that gives the set points of each frame
 //
-// Made from it: OperationKind and operation_traits (scene/operation.h), the words of a scene, the operations' player. A new operation
-// goes to the end; its keys stand in scene/program_keys.cpp.
+// Made from it: OperationKind and operation_traits (scene/operation.h), the words of a scene, the operations' player. A new
+// operation goes to the end; its keys stand in scene/program_keys.cpp.
 #ifndef OPERATION
 #define OPERATION(...)
 #endif

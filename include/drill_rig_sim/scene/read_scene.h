@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SCENE_READ_SCENE_H
 #define DRILL_RIG_SIM_SCENE_READ_SCENE_H
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SCENE_SCENE_H
 #define DRILL_RIG_SIM_SCENE_SCENE_H
 
@@ -55,36 +56,36 @@ enum class Connections
 struct ProgramStep
 {
   static constexpr double unset = std::numeric_limits<double>::quiet_NaN();
-  double at = 0.0;                  ///< simulated time [s]
-  double ramp = 0.0;                ///< time over which this line's velocity, speed, torque and flow are reached, in a straight line [s]
-  double block_velocity = unset;    ///< [m/s], + up; releases the brake
-  double top_drive_speed = unset;   ///< [rad/s]
-  double top_drive_torque = unset;  ///< [N m]: torque mode
-  int top_drive_mode = -1;          ///< a TopDriveMode; -1: by the others
-  double top_drive_angle = unset;   ///< of the shaft: angle mode, or the middle of oscillate [rad]
+  double at = 0.0;    ///< simulated time [s]
+  double ramp = 0.0;  ///< time over which this line's velocity, speed, torque and flow are reached, in a straight line [s]
+  double block_velocity = unset;                           ///< [m/s], + up; releases the brake
+  double top_drive_speed = unset;                          ///< [rad/s]
+  double top_drive_torque = unset;                         ///< [N m]: torque mode
+  int top_drive_mode = -1;                                 ///< a TopDriveMode; -1: by the others
+  double top_drive_angle = unset;                          ///< of the shaft: angle mode, or the middle of oscillate [rad]
   double amplitude_right = unset, amplitude_left = unset;  ///< of oscillate [rad]
-  double torque_limit = unset;      ///< [N m]; 0 = the rig's
-  double flow = unset;              ///< [m3/s]
-  double steering_toolface = unset; ///< of a rotary steerable tool [rad]
-  double steering_ratio = unset;    ///< 0 .. 1
-  double top_drive_brake = unset;   ///< 1 sets, 0 releases
-  double brake = unset;             ///< the winch's: 1 sets, 0 releases
-  double stuck_at = unset;          ///< the hole grips the pipe there [m MD]
-  double free = unset;              ///< 1: it lets go
-  int fault = -1;                   ///< a FaultKind that begins; -1: none
-  double fault_depth = 0.0;         ///< of it [m MD]
-  double fault_magnitude = 0.0;     ///< in its own unit
-  int fault_gauge = -1;             ///< of it or of the one that ends: a Gauge
-  int clear_fault = -1;             ///< a FaultKind that ends; -1: none
-  double slips = unset;             ///< 1 sets, 0 pulls
-  double connection = unset;        ///< joints to be added; < 0: to be taken away
-  double free_length = unset;       ///< nodes up to here above the bit's face are free, those above it guided [m]
+  double torque_limit = unset;                             ///< [N m]; 0 = the rig's
+  double flow = unset;                                     ///< [m3/s]
+  double steering_toolface = unset;                        ///< of a rotary steerable tool [rad]
+  double steering_ratio = unset;                           ///< 0 .. 1
+  double top_drive_brake = unset;                          ///< 1 sets, 0 releases
+  double brake = unset;                                    ///< the winch's: 1 sets, 0 releases
+  double stuck_at = unset;                                 ///< the hole grips the pipe there [m MD]
+  double free = unset;                                     ///< 1: it lets go
+  int fault = -1;                                          ///< a FaultKind that begins; -1: none
+  double fault_depth = 0.0;                                ///< of it [m MD]
+  double fault_magnitude = 0.0;                            ///< in its own unit
+  int fault_gauge = -1;                                    ///< of it or of the one that ends: a Gauge
+  int clear_fault = -1;                                    ///< a FaultKind that ends; -1: none
+  double slips = unset;                                    ///< 1 sets, 0 pulls
+  double connection = unset;                               ///< joints to be added; < 0: to be taken away
+  double free_length = unset;  ///< nodes up to here above the bit's face are free, those above it guided [m]
 };
 
 struct Scene
 {
   std::string name;
-  std::string file;  ///< where it was read from; empty if built in code
+  std::string file;                  ///< where it was read from; empty if built in code
   std::vector<std::string> remarks;  ///< of how its files were read, one line each, to be reported; part of no hash
   WellSpec well;
   std::vector<FormationLayer> formation;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SCENE_SCENE_HASH_H
 #define DRILL_RIG_SIM_SCENE_SCENE_HASH_H
 
@@ -7,8 +8,8 @@
 
 namespace drill_rig_sim
 {
-/// A number that two scenes share only if every key has the same value in both, digit for digit; where they were read from does not
-/// matter. It walks the one table of keys.
+/// A number that two scenes share only if every key has the same value in both, digit for digit; where they were read from does
+/// not matter. It walks the one table of keys.
 std::uint64_t scene_hash(const Scene& scene);
 
 /// Where a rig begins: its bit depth, which reset_well sets, and the hash of all else in its scene.

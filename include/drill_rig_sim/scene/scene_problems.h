@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SCENE_SCENE_PROBLEMS_H
 #define DRILL_RIG_SIM_SCENE_SCENE_PROBLEMS_H
 
@@ -8,9 +9,9 @@
 
 namespace drill_rig_sim
 {
-/// What does not go together in a scene whose values are each in range: well, string, mesh, rig, start and program, by the rules of
-/// their rooms (well_checks.h, string_checks.h) and those between them. The survey is sound (survey_problems()). Empty when all is well.
-/// The one set of rules for every door: scene files, settings, the service that loads a survey.
+/// What does not go together in a scene whose values are each in range: well, string, mesh, rig, start and program, by the rules
+/// of their rooms (well_checks.h, string_checks.h) and those between them. The survey is sound (survey_problems()). Empty when
+/// all is well. The one set of rules for every door: scene files, settings, the service that loads a survey.
 ProblemList scene_problems(const Scene& scene);
 
 /// What a scene asks for and this version does not have: levels but beam3d, connections. Part of scene_problems().

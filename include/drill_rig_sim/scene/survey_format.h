@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SCENE_SURVEY_FORMAT_H
 #define DRILL_RIG_SIM_SCENE_SURVEY_FORMAT_H
 
@@ -18,7 +19,7 @@ struct SurveyFormat
   SurveyColumn md, inclination, azimuth;
   SurveyColumn north, east, tvd;  ///< of the first station, from the rotary table
   std::string delimiter;          ///< , or ; or tab or space; empty: by the header
-  double pass_over = 0.0;         ///< 1: stations without a value and those that equal the one before are passed over, and reported
+  double pass_over = 0.0;  ///< 1: stations without a value and those that equal the one before are passed over, and reported
 };
 
 /// Reads a format from a YAML file, keys as those of a scene's well.survey. Throws SceneError.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SIM_CHOICE_H
 #define DRILL_RIG_SIM_SIM_CHOICE_H
 
@@ -16,20 +17,23 @@ struct Choice
   double guided_element_length = 0.0;  ///< [m]
 };
 
-/// The cheapest level and mesh that keep the scene's needs within its tolerance, by rules that the operations matrix has taught (98 cells of a
-/// minute, errors over the outputs' ranges; test/accuracy/README.md, levels):
-/// - beam3d in a hole that turns by more than 3 rad in all: turns multiply friction (exp(mu theta), the capstan), and with it guided pipe's errors.
-/// - From 5 % on, without needs of bending (direction, contact, buckling), in a hole that hangs the string (hangs()) without a mud motor: axial_torsional. Where the
+/// The cheapest level and mesh that keep the scene's needs within its tolerance, by rules that the operations matrix has taught
+/// (98 cells of a minute, errors over the outputs' ranges; test/accuracy/README.md, levels):
+/// - beam3d in a hole that turns by more than 3 rad in all: turns multiply friction (exp(mu theta), the capstan), and with it
+/// guided pipe's errors.
+/// - From 5 % on, without needs of bending (direction, contact, buckling), in a hole that hangs the string (hangs()) without a
+/// mud motor: axial_torsional. Where the
 ///   hole bends, stiff and stabilised assemblies bear on it harder than their weight does: torque would be 6 to 11 % low.
 /// - From 5 % on, or in a hole that hangs the string without a mud motor, or from 2 % on without torque and bit speed among
 ///   the needs: hybrid. Where pipe begins to turn on the low side of a hole, guided pipe is 1 to 3 % off in these two.
 /// - Else beam3d; below 2 %, with quarter joints where friction pushes the pipe, and below 0.5 % eighths.
-/// From 5 % on two joints of a stand of guided pipe that nothing pushes, neither friction nor heavier pipe above it, are one element.
-/// What is given by hand of step, element_length, pushed_element_length, guided_element_length and free_length stays.
-/// A method that knows free nodes alone has beam3d.
+/// From 5 % on two joints of a stand of guided pipe that nothing pushes, neither friction nor heavier pipe above it, are one
+/// element. What is given by hand of step, element_length, pushed_element_length, guided_element_length and free_length stays. A
+/// method that knows free nodes alone has beam3d.
 Choice choose(const Scene& scene);
 
-/// The scene with that choice made in its keys, where its level is auto, and with a step and a companion (chosen_companion()) where it gives none.
+/// The scene with that choice made in its keys, where its level is auto, and with a step and a companion (chosen_companion())
+/// where it gives none.
 Scene with_choice(const Scene& scene);
 
 }  // namespace drill_rig_sim

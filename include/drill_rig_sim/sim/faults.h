@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SIM_FAULTS_H
 #define DRILL_RIG_SIM_SIM_FAULTS_H
 
@@ -6,24 +7,30 @@
 #include "drill_rig_sim/model/state.h"
 #include "drill_rig_sim/scene/fault_spec.h"
 
-/// What goes wrong on a rig. A fault lives in the state, so that snapshots hold it; each kind is there once, and asked for again it is the
-/// one asked for last.
+/// What goes wrong on a rig. A fault lives in the state, so that snapshots hold it; each kind is there once, and asked for again
+/// it is the one asked for last.
 ///
 /// - stuck_pipe: the formation grips the pipe at a place (forces/stuck_point.h).
-/// - differential_sticking, pack_off: drags at a place (forces/place_drag.h); a pack-off holds mud back in the annulus too, pack_off_pressure().
-/// - friction_change, washed_out_hole: of the wall (model/wall_faults.h). The annulus's volume and losses stay as they were at the start.
+/// - differential_sticking, pack_off: drags at a place (forces/place_drag.h); a pack-off holds mud back in the annulus too,
+/// pack_off_pressure().
+/// - friction_change, washed_out_hole: of the wall (model/wall_faults.h). The annulus's volume and losses stay as they were at
+/// the start.
 /// - formation_change: a factor on the drillability of all rock.
-/// - washed_out_pipe: mud leaks through a hole in the pipe, which moves with it (hydraulics/hydraulics.h). The flow above it, larger than that
+/// - washed_out_pipe: mud leaks through a hole in the pipe, which moves with it (hydraulics/hydraulics.h). The flow above it,
+/// larger than that
 ///   through the bit, loses no more than that.
-/// - motor_stall: the mud motor's rotor stands still, over the lag of its speed; the mud goes on past it, at the pressure of its stall.
+/// - motor_stall: the mud motor's rotor stands still, over the lag of its speed; the mud goes on past it, at the pressure of its
+/// stall.
 /// - brake_slip: the winch's brake holds no more than a load (slipping_line() in rig/hoisting.h).
 /// - drive_trip: the top drive coasts, its brake apart. pump_trip: the pump's flow falls to 0, at its ramp.
-/// - sensor_freeze, sensor_bias, sensor_noise, sensor_dropout, sensor_drift: of a gauge (instruments/sensor.h). The dead line's float, a load cell
+/// - sensor_freeze, sensor_bias, sensor_noise, sensor_dropout, sensor_drift: of a gauge (instruments/sensor.h). The dead line's
+/// float, a load cell
 ///   that loses its fluid, is a drift of dead_line_hook_load.
 namespace drill_rig_sim
 {
-/// The formation grips the node of the string that is nearest to measured depth `md` [m], where it is now: half an element off at most, or
-/// the uppermost in the hole; the shaft is never gripped. `bit_depth`: of the bit's face [m MD]. Needs pipe in the hole at `md`.
+/// The formation grips the node of the string that is nearest to measured depth `md` [m], where it is now: half an element off at
+/// most, or the uppermost in the hole; the shaft is never gripped. `bit_depth`: of the bit's face [m MD]. Needs pipe in the hole
+/// at `md`.
 void stick_pipe(const Model& model, double bit_depth, double md, State& state) noexcept;
 /// It lets go.
 void free_pipe(State& state) noexcept;

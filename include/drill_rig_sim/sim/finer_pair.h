@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SIM_FINER_PAIR_H
 #define DRILL_RIG_SIM_SIM_FINER_PAIR_H
 
@@ -9,14 +10,17 @@ namespace drill_rig_sim
 /// How much shorter elements and steps of the finer model are, of the finest its square.
 constexpr double usual_refinement = 2.0, least_refinement = 1.2, most_refinement = 8.0;
 
-/// Two finer models beside a simulator, and how wrong they find it (accuracy/verification.h): what `drill verify` and the audits of campaigns do.
+/// Two finer models beside a simulator, and how wrong they find it (accuracy/verification.h): what `drill verify` and the audits
+/// of campaigns do.
 class FinerPair
 {
 public:
-  /// Adds both to `simulator`, before its first frame. Throws std::runtime_error with one line where `times` is out of range, and as Simulator::add_companion() does.
+  /// Adds both to `simulator`, before its first frame. Throws std::runtime_error with one line where `times` is out of range, and
+  /// as Simulator::add_companion() does.
   FinerPair(Simulator& simulator, double times);
 
-  /// Call after each frame of that simulator, of `duration` [s]. Throws std::runtime_error with one line where one of the two has ended.
+  /// Call after each frame of that simulator, of `duration` [s]. Throws std::runtime_error with one line where one of the two has
+  /// ended.
   void add(const Simulator& simulator, double duration);
   const Verification& findings() const noexcept { return findings_; }
   double times() const noexcept { return times_; }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SIM_LEVEL_WATCH_H
 #define DRILL_RIG_SIM_SIM_LEVEL_WATCH_H
 
@@ -12,10 +13,10 @@ namespace drill_rig_sim
 /// What the watch remembers from frame to frame.
 struct LevelMemory
 {
-  double free_length = 0.0;   ///< nodes up to here above the bit's face are free, windows apart [m]
-  bool moved = false;         ///< since the last frame
-  double calm = 0.0;          ///< how long all pipe in windows could have been guided [s]
-  std::uint64_t opened = 0;   ///< windows since the start, and those that grew
+  double free_length = 0.0;  ///< nodes up to here above the bit's face are free, windows apart [m]
+  bool moved = false;        ///< since the last frame
+  double calm = 0.0;         ///< how long all pipe in windows could have been guided [s]
+  std::uint64_t opened = 0;  ///< windows since the start, and those that grew
   std::uint64_t closed = 0;
 
   template <class V>
@@ -33,9 +34,10 @@ struct LevelMemory
 Level level_of(const Model& model, double free_length) noexcept;
 
 /// Sets nodes free and guides them, between two frames: as the memory's free length wants, whenever that is moved.
-/// Level hybrid besides: guided pipe is set free before it is compressed so far that it could buckle, wherever in the string that is, and guided again
-/// when it is not. A window opens where an element next to a guided node carries 0.6 of its buckling load (string_watch.h), over 30 m up and down from
-/// there; all windows close when for 10 s no element in them carried more than 0.4 of it.
+/// Level hybrid besides: guided pipe is set free before it is compressed so far that it could buckle, wherever in the string that
+/// is, and guided again when it is not. A window opens where an element next to a guided node carries 0.6 of its buckling load
+/// (string_watch.h), over 30 m up and down from there; all windows close when for 10 s no element in them carried more than 0.4
+/// of it.
 class LevelWatch
 {
 public:

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SIM_PROFILE_H
 #define DRILL_RIG_SIM_SIM_PROFILE_H
 
@@ -16,24 +17,26 @@ void fill_profile(const Model& model, const State& state, const RigForces& force
 struct StaticReport
 {
   StaticOutcome outcome;
-  StringLoads loads;        ///< what the string bears
+  StringLoads loads;  ///< what the string bears
   BuckledPipe buckled;
-  AccuracyReport accuracy;  ///< what of it the elements do not stand for
-  double refined_length = 0.0;  ///< of the elements that were taken for the scene's, where these are too long for compressed pipe; 0: these are not [m]
+  AccuracyReport accuracy;      ///< what of it the elements do not stand for
+  double refined_length = 0.0;  ///< of the elements that were taken for the scene's, where these are too long for compressed
+                                ///< pipe; 0: these are not [m]
   StringProfile profile;
-  double hook_load = 0.0;         ///< block and top drive included [N]
-  double hook_load_string = 0.0;  ///< [N]
-  SteadyHookLoad gauges;          ///< what they show while the block moves as the string does
-  double hook_load_gauge = 0.0;   ///< of them the one that the scene has, without its errors [N]
-  double torque = 0.0;            ///< at the top [N m]
-  double bit_side_force = 0.0;    ///< wall on bit, normal [N]
+  double hook_load = 0.0;           ///< block and top drive included [N]
+  double hook_load_string = 0.0;    ///< [N]
+  SteadyHookLoad gauges;            ///< what they show while the block moves as the string does
+  double hook_load_gauge = 0.0;     ///< of them the one that the scene has, without its errors [N]
+  double torque = 0.0;              ///< at the top [N m]
+  double bit_side_force = 0.0;      ///< wall on bit, normal [N]
   double bit_side_direction = 0.0;  ///< where the bit pushes the wall, clockwise from the high side looking downhole [rad]
-  double bit_tilt = 0.0;          ///< between the bit's axis and the hole's [rad]
+  double bit_tilt = 0.0;            ///< between the bit's axis and the hole's [rad]
 };
 
-/// The scene's string at its start, then moved as `sliding` says, at rest without friction. Elements that are too long for the compression that they
-/// carry, or with which no equilibrium is found, are halved where friction pushes pipe, down to an eighth of a joint.
-/// Throws std::runtime_error with one line if there is no such equilibrium; it says where the pipe buckles, and whether it must be pushed in, if it does.
+/// The scene's string at its start, then moved as `sliding` says, at rest without friction. Elements that are too long for the
+/// compression that they carry, or with which no equilibrium is found, are halved where friction pushes pipe, down to an eighth
+/// of a joint. Throws std::runtime_error with one line if there is no such equilibrium; it says where the pipe buckles, and
+/// whether it must be pushed in, if it does.
 StaticReport static_report(const Scene& scene, const SlidingMotion& sliding);
 
 }  // namespace drill_rig_sim

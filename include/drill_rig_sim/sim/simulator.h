@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SIM_SIMULATOR_H
 #define DRILL_RIG_SIM_SIM_SIMULATOR_H
 
@@ -37,7 +38,8 @@ enum class CompanionPace
 {
   in_turn,             ///< in the thread that computes the run's frames, before each
   own_thread,          ///< in a thread of their own; the run waits where they are late
-  own_thread_unwaited  ///< in a thread of their own; where they are late for too long, the error is no longer measured: for real time
+  own_thread_unwaited  ///< in a thread of their own; where they are late for too long, the error is no longer measured: for real
+                       ///< time
 };
 
 /// The companion that measures the error (numerics.companion), as of its last frame that the run has taken.
@@ -45,45 +47,47 @@ struct CompanionStatistics
 {
   const char* level = "";  ///< empty: there is none
   int nodes = 0;
-  int coordinates = 0;     ///< of its last frame
-  double seconds = 0.0;    ///< computing time since the start [s]
+  int coordinates = 0;   ///< of its last frame
+  double seconds = 0.0;  ///< computing time since the start [s]
 };
 
 /// Counters since the start, for diagnostics and the runner's summary.
 struct SimulatorStatistics
 {
   std::uint64_t frames = 0;
-  std::uint64_t steps = 0;              ///< physics steps that were accepted
+  std::uint64_t steps = 0;  ///< physics steps that were accepted
   std::uint64_t newton_iterations = 0;
-  std::uint64_t convergence_failures = 0;     ///< attempts without a solution, repeated with half the step
-  std::uint64_t error_test_failures = 0;      ///< attempts repeated with half the step for accuracy
-  Work work;                            ///< residuals, tangents and linear solves
+  std::uint64_t convergence_failures = 0;  ///< attempts without a solution, repeated with half the step
+  std::uint64_t error_test_failures = 0;   ///< attempts repeated with half the step for accuracy
+  Work work;                               ///< residuals, tangents and linear solves
   std::uint64_t commands_clamped = 0;
   std::uint64_t commands_refused = 0;
   int nodes = 0;
-  int coordinates = 0;                  ///< of the last frame
-  int guided_nodes = 0;                 ///< of the last frame
+  int coordinates = 0;                   ///< of the last frame
+  int guided_nodes = 0;                  ///< of the last frame
   std::uint64_t guided_node_frames = 0;  ///< guided nodes, summed over all frames
-  Kernel kernel = Kernel::scalar;  ///< of the batch kernels
+  Kernel kernel = Kernel::scalar;        ///< of the batch kernels
   const char* level = "";
   const char* integrator = "";
-  double step = 0.0;                    ///< numerics.step, 0: variable [s]
-  double last_step = 0.0;               ///< the one that the last frame lies in, or its last [s]
-  double last_error_estimate = 0.0;     ///< local, of the last step's positions [m]
-  std::optional<TightAssembly> tight;   ///< by the start's forces
-  StringLoads loads;                    ///< of the last frame
-  AccuracyReport accuracy;              ///< what stands after the last frame
-  bool error_is_measured = false;       ///< numerics.companion goes along, and these are the errors by output (Simulator::measured_error()) [-]:
+  double step = 0.0;                   ///< numerics.step, 0: variable [s]
+  double last_step = 0.0;              ///< the one that the last frame lies in, or its last [s]
+  double last_error_estimate = 0.0;    ///< local, of the last step's positions [m]
+  std::optional<TightAssembly> tight;  ///< by the start's forces
+  StringLoads loads;                   ///< of the last frame
+  AccuracyReport accuracy;             ///< what stands after the last frame
+  bool error_is_measured =
+      false;  ///< numerics.companion goes along, and these are the errors by output (Simulator::measured_error()) [-]:
   Outputs errors{};
-  const char* not_measured = "";        ///< why the error is not measured, one line; empty while it is
+  const char* not_measured = "";  ///< why the error is not measured, one line; empty while it is
   CompanionStatistics companion;
-  Profiler costs;                       ///< where the frames' time went
-  bool is_reference = false;            ///< the integrator is ida, and this is its report:
+  Profiler costs;             ///< where the frames' time went
+  bool is_reference = false;  ///< the integrator is ida, and this is its report:
   ReferenceReport reference;
 };
 
 /// A rig, a string and a well that commands drive through time. Knows no wall clock and no ROS.
-/// After construction nothing here allocates but save(), make_connection(), attend() and a restore() of a longer or shorter string, and frame() never throws.
+/// After construction nothing here allocates but save(), make_connection(), attend() and a restore() of a longer or shorter
+/// string, and frame() never throws.
 class Simulator final : public RigControls
 {
 public:
@@ -98,13 +102,14 @@ public:
   CommandResult command(const TopDriveSetpoint& c) noexcept override;
   CommandResult command(const PumpSetpoint& c) noexcept override;
   CommandResult command(const SteeringSetpoint& c) noexcept override;
-  /// Why a command would be refused at present, one line, static storage: slips and a broken-out string lock what would turn, run or pump, and a string
-  /// without a rotary_steerable cannot be steered; null: it would not be.
+  /// Why a command would be refused at present, one line, static storage: slips and a broken-out string lock what would turn, run
+  /// or pump, and a string without a rotary_steerable cannot be steered; null: it would not be.
   const char* locked(const WinchSetpoint& c) const noexcept;
   const char* locked(const TopDriveSetpoint& c) const noexcept;
   const char* locked(const PumpSetpoint& c) const noexcept;
   const char* locked(const SteeringSetpoint& c) const noexcept;
-  /// The set points asked for by the last commands, or the watchdog's, though no frame has been computed since; the truth holds what interlocks and faults leave of them.
+  /// The set points asked for by the last commands, or the watchdog's, though no frame has been computed since; the truth holds
+  /// what interlocks and faults leave of them.
   Setpoints setpoints() const noexcept;
   const Setpoints& asked() const noexcept override;
   /// Winch and drive streams that stop for longer than this set the brake and coast the drive [s]; 0 = off.
@@ -113,12 +118,12 @@ public:
   void winch_command_stands() noexcept;
   void drive_command_stands() noexcept;
 
-  /// Advances by `duration` [s], a multiple of the scene's step, in as many physics steps; where that is 0, in steps as its tolerance allows. Nothing
-  /// happens in a duration that is not above 0.
+  /// Advances by `duration` [s], a multiple of the scene's step, in as many physics steps; where that is 0, in steps as its
+  /// tolerance allows. Nothing happens in a duration that is not above 0.
   FrameStatus frame(double duration) noexcept;
   void fail(const char* reason) noexcept override;
-  /// Opens an energy balance for the frames to come, or closes it. Frames cost some three residuals a step more while it is open, and give
-  /// the same results. restore() opens it anew.
+  /// Opens an energy balance for the frames to come, or closes it. Frames cost some three residuals a step more while it is open,
+  /// and give the same results. restore() opens it anew.
   void balance_energy(bool on = true);
   /// The balance's accounts since it was opened; all zero without a balance.
   const EnergyAccounts& energy() const noexcept;
@@ -141,8 +146,8 @@ public:
   const std::string& choice() const noexcept;
 
   bool tare() noexcept override;
-  /// The same zeroes at their means over the last `duration` [s], for the gauges `zero` answers which. False, and nothing changed, on bottom, in the slips,
-  /// and where that is longer than zero_held().
+  /// The same zeroes at their means over the last `duration` [s], for the gauges `zero` answers which. False, and nothing
+  /// changed, on bottom, in the slips, and where that is longer than zero_held().
   bool tare_over(double duration, Zero& zero) noexcept;
   /// How long the string has hung, or moved steadily, with the same set point of the pump, at most some ZeroWindow::longest [s].
   double zero_held() const noexcept;
@@ -150,22 +155,25 @@ public:
   void free_pipe() noexcept override;
   const char* inject(const Fault& fault) noexcept override;
   void clear(FaultKind kind, Gauge gauge) noexcept override;
-  /// The faults under way, by inject() or the scene's program. One whose magnitude makes no difference (a factor of 1) is not listed.
+  /// The faults under way, by inject() or the scene's program. One whose magnitude makes no difference (a factor of 1) is not
+  /// listed.
   ActiveFaults active_faults() const noexcept;
   bool set_free_length(double from_bit) noexcept override;
 
   const char* set_slips(bool set) noexcept override;
   const char* make_connection(int joints, bool remove) noexcept override;
   void call_crew(bool on) noexcept override;
-  /// What the rig's crew does between two frames: makes up the string of a connection that is over, and connections of its own (crew.h). Only
-  /// here a simulator rebuilds its string, and then allocates: a millisecond for 3 km of guided pipe, five for free nodes. play_frame() calls it before every frame; without it no connection ends.
-  /// `duration`: of the frame that follows [s].
+  /// What the rig's crew does between two frames: makes up the string of a connection that is over, and connections of its own
+  /// (crew.h). Only here a simulator rebuilds its string, and then allocates: a millisecond for 3 km of guided pipe, five for
+  /// free nodes. play_frame() calls it before every frame; without it no connection ends. `duration`: of the frame that follows
+  /// [s].
   void attend(double duration) noexcept;
 
-  /// Another model of the same rig that goes through what this one goes through, frame by frame: its set points, faults, slips, connections and zeros. Only its
-  /// numerics differ: how far the two come apart measures what the numerics make of the rig. Built as the scene starts, so before the first frame. All
-  /// that a frame hands out comes from this simulator, and is what it would be without a companion. Throws as the constructor does, and where frames were computed.
-  /// Its number, for the functions below.
+  /// Another model of the same rig that goes through what this one goes through, frame by frame: its set points, faults, slips,
+  /// connections and zeros. Only its numerics differ: how far the two come apart measures what the numerics make of the rig.
+  /// Built as the scene starts, so before the first frame. All that a frame hands out comes from this simulator, and is what it
+  /// would be without a companion. Throws as the constructor does, and where frames were computed. Its number, for the functions
+  /// below.
   int add_companion(const NumericsSpec& numerics);
   int companions() const noexcept;
   /// In the thread that calls frame(), or one of their own. Throws std::system_error where the system has no thread left.
@@ -173,7 +181,8 @@ public:
   /// What companion `i` shows after the last frame. This and the next two wait for it.
   const Truth& companion_truth(int i) const noexcept;
   const SimulatorStatistics& companion_statistics(int i) const noexcept;
-  /// Error of an output over 3 s, as accuracy/measured_error.h has it [-]; NaN unless numerics.companion asks for a companion and that still runs.
+  /// Error of an output over 3 s, as accuracy/measured_error.h has it [-]; NaN unless numerics.companion asks for a companion and
+  /// that still runs.
   double measured_error(Output output) const noexcept;
   /// The same in the output's unit.
   double measured_absolute_error(Output output) const noexcept;
@@ -184,8 +193,9 @@ public:
 
   /// A copy of everything that the next frame depends on.
   std::shared_ptr<const SimulatorState> save() const;
-  /// Back to a saved state of this same scene; false, and nothing changed, for one of another scene, or whose string is not what it says. After it the next frames are bit-identical to those that followed save().
-  /// `keep_time`: simulated time runs on from now instead of jumping back.
+  /// Back to a saved state of this same scene; false, and nothing changed, for one of another scene, or whose string is not what
+  /// it says. After it the next frames are bit-identical to those that followed save(). `keep_time`: simulated time runs on from
+  /// now instead of jumping back.
   bool restore(const SimulatorState& state, bool keep_time = false);
 
 private:

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SIM_SIMULATOR_STATE_H
 #define DRILL_RIG_SIM_SIM_SIMULATOR_STATE_H
 
@@ -34,7 +35,8 @@ struct CompanionStates
   void visit(V& v);
 };
 
-/// Everything that the next frame of a Simulator depends on. A copy is a snapshot; visit() is the one list of its fields (math/visit.h).
+/// Everything that the next frame of a Simulator depends on. A copy is a snapshot; visit() is the one list of its fields
+/// (math/visit.h).
 struct SimulatorState
 {
   SimulatorState(State start, RigForces at_start) : mechanics(std::move(start)), forces(std::move(at_start)) {}
@@ -55,7 +57,7 @@ struct SimulatorState
   double tare_pressure = 0.0;   ///< true one over the motor [Pa]
   AccuracyMemory accuracy;
   LevelMemory levels;
-  MeasuredError measured;  ///< where numerics.companion asks for it
+  MeasuredError measured;        ///< where numerics.companion asks for it
   bool companion_ended = false;  ///< the error is no longer measured
   Stride stride;
   Truth truth;

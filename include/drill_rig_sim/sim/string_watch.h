@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SIM_STRING_WATCH_H
 #define DRILL_RIG_SIM_SIM_STRING_WATCH_H
 
@@ -34,8 +35,8 @@ double buckling_share(const Model& model, const State& state, std::size_t e, dou
 /// Pipe that is buckled in its hole.
 struct BuckledPipe
 {
-  double length = 0.0;   ///< of the elements whose buckling_share() is above 1 [m]
-  double helical = 0.0;  ///< of those that buckle into a helix, above `helical_share` [m]
+  double length = 0.0;              ///< of the elements whose buckling_share() is above 1 [m]
+  double helical = 0.0;             ///< of those that buckle into a helix, above `helical_share` [m]
   double from_bit = 0.0, to = 0.0;  ///< between these distances above the bit's face [m]
 };
 

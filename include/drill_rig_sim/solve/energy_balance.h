@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SOLVE_ENERGY_BALANCE_H
 #define DRILL_RIG_SIM_SOLVE_ENERGY_BALANCE_H
 
@@ -10,8 +11,8 @@
 
 namespace drill_rig_sim
 {
-/// Books the energy of every step of a method (energy_accounts.h says how). It looks only: the run is the same with and without it, at some
-/// three more residuals a step. Allocates on construction.
+/// Books the energy of every step of a method (energy_accounts.h says how). It looks only: the run is the same with and without
+/// it, at some three more residuals a step. Allocates on construction.
 class EnergyBalance
 {
 public:
@@ -19,8 +20,8 @@ public:
 
   /// Before a step from `state`. A step that is given up is begun again.
   void begin_step(const State& state, const Setpoints& setpoints) noexcept;
-  /// The step from `start` was solved by the increments u (6 per node) of `stage`, its last; not committed yet. A method that takes steps of
-  /// its own within this one calls it after each of them, the increments always since `start`.
+  /// The step from `start` was solved by the increments u (6 per node) of `stage`, its last; not committed yet. A method that
+  /// takes steps of its own within this one calls it after each of them, the increments always since `start`.
   void end_step(const State& start, const Stage& stage, const double* u) noexcept;
   /// The next step does not start where the last one ended: opens the balance anew.
   void restart() noexcept;
@@ -51,10 +52,10 @@ private:
   Workspace work_;
   EnergyAccounts accounts_;
   bool opened_ = false;
-  bool goes_on_ = false;   // opened with accounts of a string before
-  StoredEnergy start_;     // of this step
-  EnergySample before_;    // end of the last step
-  EnergySample after_;     // end of this one
+  bool goes_on_ = false;  // opened with accounts of a string before
+  StoredEnergy start_;    // of this step
+  EnergySample before_;   // end of the last step
+  EnergySample after_;    // end of this one
   // what the step has come to at the last call of end_step()
   struct Part
   {
@@ -63,7 +64,8 @@ private:
     std::vector<double> increment;
   };
   Part part_;
-  // what acts on an element and is constant in a step: weight in mud [N], and what the annulus's pressure lifts it by, world axes [N]
+  // what acts on an element and is constant in a step: weight in mud [N], and what the annulus's pressure lifts it by, world axes
+  // [N]
   struct ElementLoad
   {
     double weight = 0.0;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SOLVE_HALVING_INTEGRATOR_H
 #define DRILL_RIG_SIM_SOLVE_HALVING_INTEGRATOR_H
 
@@ -10,11 +11,11 @@ enum class StepResult
 {
   solved,
   error_test_failed,  ///< solved, but worth halves; the state is untouched
-  not_converged     ///< the state is untouched
+  not_converged       ///< the state is untouched
 };
 
-/// An integrator whose steps may fail: a step that cannot be solved is repeated in halves, quarters, ... down to 1/32, one that is too
-/// coarse for what happens in it down to 1/8, all within a bounded number of iterations.
+/// An integrator whose steps may fail: a step that cannot be solved is repeated in halves, quarters, ... down to 1/32, one that
+/// is too coarse for what happens in it down to 1/8, all within a bounded number of iterations.
 class HalvingIntegrator : public Integrator
 {
 public:
@@ -29,7 +30,8 @@ protected:
 
 private:
   EnergyBalance* balance_ = nullptr;
-  /// One step of `step` [s]. `budget`: Newton iterations left, reduced by those it took; `may_refine`: error_test_failed may be answered.
+  /// One step of `step` [s]. `budget`: Newton iterations left, reduced by those it took; `may_refine`: error_test_failed may be
+  /// answered.
   virtual StepResult attempt(State& state, double step, const Setpoints& setpoints, int& budget, bool may_refine) noexcept = 0;
 };
 

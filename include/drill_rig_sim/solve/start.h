@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SOLVE_START_H
 #define DRILL_RIG_SIM_SOLVE_START_H
 
@@ -15,9 +16,9 @@ struct RigAtRest
   StaticOutcome statics;
 };
 
-/// Builds well, string and rig as `scene.start` says, in frictionless static equilibrium with the winch braked: the string's unstretched
-/// length is found such that bit depth (or, on bottom, weight on bit), block height and the bend's toolface are those of the scene.
-/// Throws std::runtime_error with one line (what, where, what is allowed) if there is no such rig.
+/// Builds well, string and rig as `scene.start` says, in frictionless static equilibrium with the winch braked: the string's
+/// unstretched length is found such that bit depth (or, on bottom, weight on bit), block height and the bend's toolface are those
+/// of the scene. Throws std::runtime_error with one line (what, where, what is allowed) if there is no such rig.
 RigAtRest build_at_rest(const Scene& scene);
 
 /// Shortening of the unstretched string per axial force between its ends [m/N].

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SOLVE_STEPPER_H
 #define DRILL_RIG_SIM_SOLVE_STEPPER_H
 
@@ -11,8 +12,8 @@
 
 namespace drill_rig_sim
 {
-/// A step with a larger local error of a node position is subdivided [m]. At the default step, impacts exceed it; waves caused by the
-/// winch do not.
+/// A step with a larger local error of a node position is subdivided [m]. At the default step, impacts exceed it; waves caused by
+/// the winch do not.
 constexpr double largest_local_error = 1e-4;
 
 /// The fixed-step methods, the default first.
@@ -20,9 +21,9 @@ const std::vector<const Method*>& method_table();
 /// The table's method; automatic, and what is no method of the table: the first, the default.
 const Method& find_method(IntegratorKind kind) noexcept;
 
-/// Real-time stepping with a method of the table, the hole extended after each step: steps of the given length, halved where they must be, or,
-/// with numerics.step 0, steps as the control chooses them (step_control.h), as many of one length as fill what is asked for.
-/// Noexcept and allocation-free after construction.
+/// Real-time stepping with a method of the table, the hole extended after each step: steps of the given length, halved where they
+/// must be, or, with numerics.step 0, steps as the control chooses them (step_control.h), as many of one length as fill what is
+/// asked for. Noexcept and allocation-free after construction.
 class Stepper : public HalvingIntegrator
 {
 public:

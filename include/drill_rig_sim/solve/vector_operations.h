@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SOLVE_VECTOR_OPERATIONS_H
 #define DRILL_RIG_SIM_SOLVE_VECTOR_OPERATIONS_H
 
@@ -5,9 +6,9 @@ struct _generic_N_Vector;  // NOLINT(bugprone-reserved-identifier): what SUNDIAL
 
 namespace drill_rig_sim
 {
-/// Replaces sums, scaling, constants and norms of a serial SUNDIALS vector by vectorised ones, also for its clones. Debian's library
-/// needs some twenty instructions per number. Vector sums would take half of an ARKODE step, and a comparison of methods would
-/// compare builds.
+/// Replaces sums, scaling, constants and norms of a serial SUNDIALS vector by vectorised ones, also for its clones. Debian's
+/// library needs some twenty instructions per number. Vector sums would take half of an ARKODE step, and a comparison of methods
+/// would compare builds.
 void vectorise_operations(_generic_N_Vector* vector);
 
 }  // namespace drill_rig_sim

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SOLVE_WAVE_LIFE_H
 #define DRILL_RIG_SIM_SOLVE_WAVE_LIFE_H
 
@@ -16,11 +17,12 @@ struct WaveLives
 
 /// How long waves live in a string, over which the steps' errors in them add up.
 ///
-/// The mud lets them live 2 m'/c' of mass and damping per length. Where a string lies on its wall, Coulomb's friction f = mu w sin(i) against its
-/// sliding at (a, t), along the hole and around it, resists a little more a by f t^2/|v|^3 of that, a little more t by f a^2/|v|^3: turning pipe
-/// damps waves along it, tripped pipe those about it, pipe that slides one way none along it, and pipe at rest all. |v|^2 = a^2 + t^2 + s^2, and
-/// s^2 is added to a^2 and t^2, with s = 2 cm/s: of waves that large a string at rest feels the most. Nodes count by how fast they go, for a wave
-/// is not where nothing moves. Walls that push a string because it is pulled round a bend are left out: less damping, finer steps.
+/// The mud lets them live 2 m'/c' of mass and damping per length. Where a string lies on its wall, Coulomb's friction f = mu w
+/// sin(i) against its sliding at (a, t), along the hole and around it, resists a little more a by f t^2/|v|^3 of that, a little
+/// more t by f a^2/|v|^3: turning pipe damps waves along it, tripped pipe those about it, pipe that slides one way none along it,
+/// and pipe at rest all. |v|^2 = a^2 + t^2 + s^2, and s^2 is added to a^2 and t^2, with s = 2 cm/s: of waves that large a string
+/// at rest feels the most. Nodes count by how fast they go, for a wave is not where nothing moves. Walls that push a string
+/// because it is pulled round a bend are left out: less damping, finer steps.
 class WaveLife
 {
 public:

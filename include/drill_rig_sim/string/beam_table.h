@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_STRING_BEAM_TABLE_H
 #define DRILL_RIG_SIM_STRING_BEAM_TABLE_H
 
@@ -16,16 +17,17 @@ enum class ElementKind
   rotation_vector
 };
 
-/// A kind of beam element: forces, and forces with tangent, as in beam_element.h. A new kind is a file with these two functions, a
-/// line in beam_table() and its word among the scene's keys.
+/// A kind of beam element: forces, and forces with tangent, as in beam_element.h. A new kind is a file with these two functions,
+/// a line in beam_table() and its word among the scene's keys.
 struct BeamKind
 {
   ElementKind kind;
   const char* name;
   const char* description;
-  BeamForces (*forces)(const BeamSection&, const BeamPose&, const BeamDamping&, const Eigen::Vector3d& load, BeamStrain&) noexcept;
-  BeamForces (*forces_and_tangent)(const BeamSection&, const BeamPose&, const BeamDamping&, const Eigen::Vector3d& load, BeamStrain&,
-                                   BeamTangent&) noexcept;
+  BeamForces (*forces)(const BeamSection&, const BeamPose&, const BeamDamping&, const Eigen::Vector3d& load,
+                       BeamStrain&) noexcept;
+  BeamForces (*forces_and_tangent)(const BeamSection&, const BeamPose&, const BeamDamping&, const Eigen::Vector3d& load,
+                                   BeamStrain&, BeamTangent&) noexcept;
   /// U [J], whose gradient the forces are at no damping and no load.
   double (*energy)(const BeamSection&, const BeamPose&) noexcept;
   bool load_moments;  ///< a dead load has end moments, as in beam_element.h, not its halves on the ends alone

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Text of the corotational beam (beam_element.h) for numbers of type V (math/vector_text.h); symbols as there. No include guard:
 // it is another text for each V.
 

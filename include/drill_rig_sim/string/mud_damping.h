@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_STRING_MUD_DAMPING_H
 #define DRILL_RIG_SIM_STRING_MUD_DAMPING_H
 
@@ -16,22 +17,27 @@ struct MudDamping
   double about = 0.0;   ///< against spin [N m s/rad per m]
 };
 
-/// What a Newtonian mud takes from waves of 1 Hz in a tube in the middle of its hole. A wall that swings along itself drags a shear layer with it:
-/// the force in phase with its speed is R = Re(mu k coth(k h)) per area, k = (1 + i) sqrt(rho w/(2 mu)), where a second wall stands still at a
-/// distance h, and Re(mu k tanh(k h)) where the mud swings alike on both sides of a gap of 2 h (Stokes' second problem between plates; Landau and
-/// Lifshitz, Fluid Mechanics, section 24). In a wide gap both are sqrt(rho mu w/2), in a narrow one the first is Couette's mu/h.
+/// What a Newtonian mud takes from waves of 1 Hz in a tube in the middle of its hole. A wall that swings along itself drags a
+/// shear layer with it: the force in phase with its speed is R = Re(mu k coth(k h)) per area, k = (1 + i) sqrt(rho w/(2 mu)),
+/// where a second wall stands still at a distance h, and Re(mu k tanh(k h)) where the mud swings alike on both sides of a gap of
+/// 2 h (Stokes' second problem between plates; Landau and Lifshitz, Fluid Mechanics, section 24). In a wide gap both are sqrt(rho
+/// mu w/2), in a narrow one the first is Couette's mu/h.
 /// - along: pi D R_annulus + pi d R_bore
 /// - about: the same on the levers D/2 and d/2, squared
-/// - across: 2 pi D sqrt(rho mu w/2) (1 + (D/D_h)^3)/(1 - (D/D_h)^2)^2, the shear layers on tube and hole under the ideal fluid's flow (Rogers,
-///   Taylor and Pettigrew, ASME Pressure Vessels and Piping Conference, 1984); the bore's mud goes along. Singular for close fits: D/D_h counts as sqrt(2/3) at most, as confinement() has it.
+/// - across: 2 pi D sqrt(rho mu w/2) (1 + (D/D_h)^3)/(1 - (D/D_h)^2)^2, the shear layers on tube and hole under the ideal fluid's
+/// flow (Rogers,
+///   Taylor and Pettigrew, ASME Pressure Vessels and Piping Conference, 1984); the bore's mud goes along. Singular for close
+///   fits: D/D_h counts as sqrt(2/3) at most, as confinement() has it.
 ///
-/// One frequency is an assumption: what rings for long in a string swings at 0.2 to 2 Hz, and R goes with the root of the frequency. Steady turning and
-/// tripping are braked by it too, though their shear layer fills the annulus: 0.2 N m a metre at 100 rpm.
+/// One frequency is an assumption: what rings for long in a string swings at 0.2 to 2 Hz, and R goes with the root of the
+/// frequency. Steady turning and tripping are braked by it too, though their shear layer fills the annulus: 0.2 N m a metre at
+/// 100 rpm.
 /// @param outer, inner  D, d of the tube [m]
 /// @param hole          D_h [m]
 MudDamping mud_damping(const MudSpec& mud, double outer, double inner, double hole) noexcept;
 
-/// Sets the drags of a mesh's nodes: those given in `mud` by the length of the node's share, the others by mud_damping() of the elements beside it.
+/// Sets the drags of a mesh's nodes: those given in `mud` by the length of the node's share, the others by mud_damping() of the
+/// elements beside it.
 /// @param hole_diameter  of the hole at a distance above the bit's face, both [m]
 void set_mud_damping(const MudSpec& mud, const std::function<double(double)>& hole_diameter, Mesh& mesh);
 

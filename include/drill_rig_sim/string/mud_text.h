@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Text of the mud's drag on a node (model/forces/mud_drag.h) for numbers of type V, behind rig/rigid_body_text.h. No include
 // guard: it is another text for each V.
 

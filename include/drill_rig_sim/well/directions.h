@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_WELL_DIRECTIONS_H
 #define DRILL_RIG_SIM_WELL_DIRECTIONS_H
 
@@ -47,8 +48,8 @@ ToolfaceReference toolface_reference(const Eigen::Vector3d& tangent) noexcept;
 /// The same with hysteresis: what was north stays north up to 6 deg, what was the high side stays so down to 4 deg.
 ToolfaceReference toolface_reference(const Eigen::Vector3d& tangent, bool was_magnetic) noexcept;
 
-/// What the toolface of a tool with this axis is measured from, in a hole along `hole`: it is the hole's inclination that decides, for the axis of a
-/// bent tool swings from one reference to the other as it turns.
+/// What the toolface of a tool with this axis is measured from, in a hole along `hole`: it is the hole's inclination that
+/// decides, for the axis of a bent tool swings from one reference to the other as it turns.
 Eigen::Vector3d toolface_side(const Eigen::Vector3d& axis, const Eigen::Vector3d& hole) noexcept;
 
 }  // namespace drill_rig_sim

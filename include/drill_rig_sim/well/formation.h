@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_WELL_FORMATION_H
 #define DRILL_RIG_SIM_WELL_FORMATION_H
 
@@ -36,12 +37,13 @@ struct FormationLayer
   double anisotropy = 0.0;       ///< h in [0, 1); 0 = isotropic
 
   static constexpr double unset = std::numeric_limits<double>::quiet_NaN();  ///< as its hole section has it
-  double friction = unset;       ///< kinetic friction coefficient, pipe on the wall of hole that is drilled in it [-]
+  double friction = unset;  ///< kinetic friction coefficient, pipe on the wall of hole that is drilled in it [-]
 
   FaceRing ring{};  ///< no input: ring_of() sets it, and drillability and threshold with it
 };
 
-/// The layer at true vertical depth `tvd` = -z [m]; above the first base the first, below the last base the last. `layers`: at least one.
+/// The layer at true vertical depth `tvd` = -z [m]; above the first base the first, below the last base the last. `layers`: at
+/// least one.
 const FormationLayer& layer_at(const std::vector<FormationLayer>& layers, double tvd) noexcept;
 
 /// The layers by true vertical depth.
@@ -67,9 +69,10 @@ Eigen::Vector3d bed_normal(const FormationLayer& layer) noexcept;
 /// with the speed: a bit that does not turn drills nothing, also for beta = 0; at 5 rad/s the factor is 1 - 1e-4.
 double drilling_coefficient(const FormationLayer& layer, double bit_speed) noexcept;
 
-/// The speed that the rate of penetration is to be worked out with: the law is a mean over turns, used with the speed of the instant it
-/// feeds the drilling string's axial and torsional vibration (flutter). `mean_speed`: the bit's, lagged by about a turn. A bit that stands
-/// drills nothing: at most five times the speed it has; what that holds back stays in the mean (forces/bit.cpp) [rad/s].
+/// The speed that the rate of penetration is to be worked out with: the law is a mean over turns, used with the speed of the
+/// instant it feeds the drilling string's axial and torsional vibration (flutter). `mean_speed`: the bit's, lagged by about a
+/// turn. A bit that stands drills nothing: at most five times the speed it has; what that holds back stays in the mean
+/// (forces/bit.cpp) [rad/s].
 double drilling_speed(double mean_speed, double bit_speed) noexcept;
 
 /// ROP of a bit that pushes and turns along its axis in isotropic rock, K N^beta (W - F_0)^alpha [m/s]; 0 for W <= F_0.
@@ -96,11 +99,13 @@ Eigen::Vector3d cutting_direction(const FormationLayer& layer, const Eigen::Vect
 Eigen::Vector3d rock_breaking_velocity(const FormationLayer& layer, const Eigen::Vector3d& force, double bit_speed,
                                        const Eigen::Vector3d& bit_axis, double side_cutting) noexcept;
 
-/// The direction of the drilling equation's v where something else says how fast the bottom goes down [-]: its part along `down` is 1.
+/// The direction of the drilling equation's v where something else says how fast the bottom goes down [-]: its part along `down`
+/// is 1.
 /// @param force     bit on rock, world axes; pushes along `down` [N]
 /// @param down      normal of the bottom, unit, downhole
-Eigen::Vector3d rock_breaking_direction(const FormationLayer& layer, const Eigen::Vector3d& force, const Eigen::Vector3d& bit_axis,
-                                        double side_cutting, const Eigen::Vector3d& down) noexcept;
+Eigen::Vector3d rock_breaking_direction(const FormationLayer& layer, const Eigen::Vector3d& force,
+                                        const Eigen::Vector3d& bit_axis, double side_cutting,
+                                        const Eigen::Vector3d& down) noexcept;
 
 }  // namespace drill_rig_sim
 

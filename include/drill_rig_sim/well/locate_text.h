@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Text of a hole's curve (hole_segment.h) and of its point closest to another (Wellbore::locate()) for numbers of type V
 // (math/vector_text.h); symbols as there. No include guard: it is another text for each V.
 

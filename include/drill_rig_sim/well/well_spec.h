@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_WELL_WELL_SPEC_H
 #define DRILL_RIG_SIM_WELL_WELL_SPEC_H
 
@@ -24,7 +25,7 @@ struct HoleSection
   double friction = 0.0;  ///< kinetic friction coefficient, pipe on wall [-]
 
   static constexpr double unset = std::numeric_limits<double>::quiet_NaN();  ///< as ContactSpec has it
-  double static_ratio = unset;    ///< static / kinetic friction [-], >= 1
+  double static_ratio = unset;                                               ///< static / kinetic friction [-], >= 1
   double stribeck_speed = unset;  ///< slip speed over which friction falls from static to kinetic [m/s]
 };
 
@@ -45,13 +46,14 @@ enum class Projection
 
 struct WellSpec
 {
-  /// From `survey` (a CSV file) or `stations`; strictly increasing md, the first at md 0: tie_survey_in() has put those above a tie-in.
+  /// From `survey` (a CSV file) or `stations`; strictly increasing md, the first at md 0: tie_survey_in() has put those above a
+  /// tie-in.
   std::vector<SurveyStation> survey;
   Projection project = Projection::none;  ///< project_survey() (projection.h) has put the station at the bottom
-  double hole_depth = 0.0;            ///< measured depth of the hole's bottom [m]; at most the last station's md
-  std::vector<HoleSection> sections;  ///< top down; the last reaches at least hole_depth
-  double pilot_depth = 0.0;           ///< measured depth to which a narrower hole goes on below hole_depth; 0: none [m]
-  double pilot_diameter = 0.0;        ///< of that [m]
+  double hole_depth = 0.0;                ///< measured depth of the hole's bottom [m]; at most the last station's md
+  std::vector<HoleSection> sections;      ///< top down; the last reaches at least hole_depth
+  double pilot_depth = 0.0;               ///< measured depth to which a narrower hole goes on below hole_depth; 0: none [m]
+  double pilot_diameter = 0.0;            ///< of that [m]
 };
 
 /// How the drilled path is corrected.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_WELL_WELLBORE_H
 #define DRILL_RIG_SIM_WELL_WELLBORE_H
 
@@ -24,14 +25,14 @@ struct ClosestPoint
   Eigen::Vector3d md_gradient = -Eigen::Vector3d::UnitZ();   ///< d md / d r_D = c' / (|c'|^2 - (r_D - c) . c'')
   double radius = 0.0;
   double radius_slope = 0.0;  ///< dR/dmd
-  double friction = 0.0;  ///< kinetic [-]
-  double section = 0.0;   ///< index of the hole section; between two, over the millimetre where one gives way to the next
-  int segment = 0;     ///< start of the next search
-  int iterations = 0;  ///< Newton iterations used
+  double friction = 0.0;      ///< kinetic [-]
+  double section = 0.0;       ///< index of the hole section; between two, over the millimetre where one gives way to the next
+  int segment = 0;            ///< start of the next search
+  int iterations = 0;         ///< Newton iterations used
 };
 
-/// The hole: permanent nodes joined by cubic Hermites, and below the last of them, P, the straight newly drilled interval that is being
-/// drilled.
+/// The hole: permanent nodes joined by cubic Hermites, and below the last of them, P, the straight newly drilled interval that is
+/// being drilled.
 ///
 /// Drilling, in two stages (the paper's correction). Stage I, each step: the bottom centre C moves by what the bit drilled; the
 /// raw path goes to a bounded buffer for pictures and nothing else. Stage II, each time |C - P| reaches the stage-two length L2
@@ -47,11 +48,12 @@ struct ClosestPoint
 /// continuous along the hole and in time; on commit it is md_P + |C - P|. At P the line is offset sideways by up to
 /// (1 - |C - P|/L2) times C's distance from the tangent at P: tens of microns in a raw helix of 30 um.
 ///
-/// Friction of drilled hole: that of the rock layer at the node, if the layer has one, else its hole section's; in a straight line between nodes.
-/// Until its first commit the newly drilled interval has that of the hole above it.
+/// Friction of drilled hole: that of the rock layer at the node, if the layer has one, else its hole section's; in a straight
+/// line between nodes. Until its first commit the newly drilled interval has that of the hole above it.
 ///
-/// Segments are numbered 0: the straight vertical line above the first node (md = -z), 1 .. n: permanent, n + 1: the newly drilled interval.
-/// Copies are snapshots. Assignment between copies of one well costs what was drilled in between and does not allocate.
+/// Segments are numbered 0: the straight vertical line above the first node (md = -z), 1 .. n: permanent, n + 1: the newly
+/// drilled interval. Copies are snapshots. Assignment between copies of one well costs what was drilled in between and does not
+/// allocate.
 class Wellbore
 {
 public:
@@ -60,11 +62,11 @@ public:
   static constexpr double longest_extension = 1000.0;  ///< of one step; what would be longer is a step that has gone astray [m]
 
   /// A hole with its first node at the origin. `spec.survey`'s first station must be at md 0; `bit_radius` [m] is the radius of
-  /// everything drilled and of the hole at its bottom; `rock`: layers whose friction drilled hole gets, none: its sections' friction
-  /// everywhere; `drilled_capacity`: most drilled nodes, a power of two.
-  /// Throws std::invalid_argument with one line if survey, sections, depth or trajectory are not usable.
-  Wellbore(const WellSpec& spec, const TrajectorySpec& trajectory, double bit_radius, const std::vector<FormationLayer>& rock = {},
-           int drilled_capacity = default_capacity);
+  /// everything drilled and of the hole at its bottom; `rock`: layers whose friction drilled hole gets, none: its sections'
+  /// friction everywhere; `drilled_capacity`: most drilled nodes, a power of two. Throws std::invalid_argument with one line if
+  /// survey, sections, depth or trajectory are not usable.
+  Wellbore(const WellSpec& spec, const TrajectorySpec& trajectory, double bit_radius,
+           const std::vector<FormationLayer>& rock = {}, int drilled_capacity = default_capacity);
 
   /// The cross section nearest to `point` [m]. `segment_hint` < 0 searches the whole hole (nearest of all); otherwise the search
   /// walks from that segment, and turns to the whole hole if it walks far or ends more than four radii from the axis. Newton's
@@ -73,18 +75,20 @@ public:
   /// not.
   ClosestPoint locate(const Eigen::Vector3d& point, int segment_hint) const noexcept;
 
-  /// The segment for those who search several points at a time; null where the search from it at `point` may have to look at one of the
-  /// hole's two kinks: the line above the first node and what is beside it, the newly drilled interval and the segment above that.
+  /// The segment for those who search several points at a time; null where the search from it at `point` may have to look at one
+  /// of the hole's two kinks: the line above the first node and what is beside it, the newly drilled interval and the segment
+  /// above that.
   const HoleSegment* smooth_segment(int i, const Eigen::Vector3d& point) const noexcept;
 
-  /// Radius of the hole at about `point` [m], which lies in or beside `segment`: read off that segment's chord, without a search; < 0
-  /// searches.
+  /// Radius of the hole at about `point` [m], which lies in or beside `segment`: read off that segment's chord, without a search;
+  /// < 0 searches.
   double radius_near(const Eigen::Vector3d& point, int segment) const noexcept;
   /// Tangent of the hole there, in the same way: unit, downhole.
   Eigen::Vector3d tangent_near(const Eigen::Vector3d& point, int segment) const noexcept;
 
   /// Stage I, and Stage II when due. `bottom_displacement`: how far the bit moved the bottom in this step, world axes [m];
-  /// `bit_axis`: the raw node's tangent, unit, downhole. False and nothing changed if a number is not finite or the displacement is longer than longest_extension. About a hundred flops, whatever the drilled length.
+  /// `bit_axis`: the raw node's tangent, unit, downhole. False and nothing changed if a number is not finite or the displacement
+  /// is longer than longest_extension. About a hundred flops, whatever the drilled length.
   bool extend(const Eigen::Vector3d& bottom_displacement, const Eigen::Vector3d& bit_axis) noexcept;
 
   /// Measured depth of the bottom [m], md_P + (C - P) . d.
@@ -92,9 +96,9 @@ public:
   /// C, the centre of the bottom [m].
   const Eigen::Vector3d& bottom_position() const noexcept { return bottom_; }
   /// Normal of the bottom plane, the rock just cut: it turns towards the direction v/|v| of the displacement (the tangent of the
-  /// well's last raw node in the rock-penetration equations; the start's tangent until something is drilled), by at most the angle
-  /// |displacement| / bottom_radius(). For rock does not grow back: a plane that turns about its centre by more than it recedes
-  /// would rise at its rim. It swings with the bit's tilt (up to 1 deg).
+  /// well's last raw node in the rock-penetration equations; the start's tangent until something is drilled), by at most the
+  /// angle |displacement| / bottom_radius(). For rock does not grow back: a plane that turns about its centre by more than it
+  /// recedes would rise at its rim. It swings with the bit's tilt (up to 1 deg).
   const Eigen::Vector3d& bottom_normal() const noexcept { return bottom_normal_; }
   /// Tangent that Stage I gives the raw node: the bit's axis at the last displacement.
   const Eigen::Vector3d& raw_tangent() const noexcept { return raw_tangent_; }
@@ -113,7 +117,10 @@ public:
   WellNode at(double md, int& segment) const noexcept;
   HoleWall wall_at(double md, int segment) const noexcept;
   /// The segment in which they look, in the same way.
-  const HoleSegment& segment_there(double md, int& segment) const noexcept { return this->segment(segment = segment_at(md, segment)); }
+  const HoleSegment& segment_there(double md, int& segment) const noexcept
+  {
+    return this->segment(segment = segment_at(md, segment));
+  }
   /// Changes when permanent nodes change, and back when a snapshot is restored.
   std::uint64_t version() const noexcept { return drilled_.hash(); }
   /// Nearly full: Stage II intervals have been lengthened to make the room last (or, when full, no more nodes are added and the
@@ -189,7 +196,7 @@ private:
   History<Drilled> drilled_;
   History<Eigen::Vector3d> raw_;
 
-  WellNode last_;      // P
+  WellNode last_;             // P
   HoleSegment new_interval_;  // the line, from the plane through P, s in metres
   Eigen::Vector3d bottom_;
   Eigen::Vector3d bottom_normal_;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/model/forces/beams.h"
 
 #include "drill_rig_sim/math/rotation.h"
@@ -16,7 +17,13 @@ BeamPose pose_of(const StageContext& at, int e) noexcept
   const MeshElement& element = at.model.mesh().elements[e];
   const NodeMotion& lower = at.work.nodes[e];
   const NodeMotion& upper = at.work.nodes[e + 1];
-  BeamPose pose{upper.position, lower.position, upper.normal, lower.normal, 0.0, upper.orientation, lower.orientation,
+  BeamPose pose{upper.position,
+                lower.position,
+                upper.normal,
+                lower.normal,
+                0.0,
+                upper.orientation,
+                lower.orientation,
                 at.stage.free_stretch[static_cast<std::size_t>(e)]};
   if (element.bend != 0.0 || at.model.mesh().is_shaft(e))
   {
@@ -41,8 +48,13 @@ BeamDamping damping_of(const StageContext& at, int e) noexcept
 {
   const NodeMotion& lower = at.work.nodes[e];
   const NodeMotion& upper = at.work.nodes[e + 1];
-  BeamDamping damping{at.stage.structural_damping, at.stage.dv_du, lower.rate.head<3>() - upper.rate.head<3>(), turning_of(upper),
-                      turning_of(lower), upper.carried_spin * upper.normal, lower.carried_spin * lower.normal};
+  BeamDamping damping{at.stage.structural_damping,
+                      at.stage.dv_du,
+                      lower.rate.head<3>() - upper.rate.head<3>(),
+                      turning_of(upper),
+                      turning_of(lower),
+                      upper.carried_spin * upper.normal,
+                      lower.carried_spin * lower.normal};
   if (!at.model.mesh().is_shaft(e)) return damping;
   const ShaftEnd end = shaft_end(at.model, at.stage, at.work);
   damping.upper_turning += end.spin * end.off;
@@ -100,7 +112,7 @@ void add_element(const StageContext& at, int e, const ForceRows& to) noexcept
   BeamTangent t;
   BeamStrain strain;
   const BeamForces f = to.with_tangent() ? kind.forces_and_tangent(section, pose, damping, load, strain, t)
-                               : kind.forces(section, pose, damping, load, strain);
+                                         : kind.forces(section, pose, damping, load, strain);
   auto lower = to.force(e), upper = to.force(e + 1);
   lower.head<3>() += f.force - 0.5 * load;
   lower.tail<3>() += f.moment_lower;

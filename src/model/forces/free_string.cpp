@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/model/forces/free_string.h"
 
 #include "drill_rig_sim/model/forces/beams.h"
@@ -46,7 +47,8 @@ void add_free_string(const StageContext& at, const ForceRows& to) noexcept
     task.upper = tangent->upper(0).data();
     task.lower = tangent->lower(0).data();
   }
-  for_each_free_run(at, task, [&] { at.work.string->add(task); }, [&](int e) { add_beam(at, e, to); });
+  for_each_free_run(
+      at, task, [&] { at.work.string->add(task); }, [&](int e) { add_beam(at, e, to); });
 }
 
 void find_free_forces(const StageContext& at) noexcept
@@ -54,20 +56,22 @@ void find_free_forces(const StageContext& at) noexcept
   RigForces& out = at.work.result.forces;
   const StringForces to{out.tension.data(), out.torque.data(), out.bending_moment.data()};
   StringTask task = task_of(at, nullptr);
-  for_each_free_run(at, task, [&] { at.work.string->find_forces(task, to); }, [&](int e) { find_beam_forces(at, e); });
+  for_each_free_run(
+      at, task, [&] { at.work.string->find_forces(task, to); }, [&](int e) { find_beam_forces(at, e); });
 }
 
 void store_free_string(const StageContext& at, StoredEnergy& energy) noexcept
 {
   StringTask task = task_of(at, nullptr);
-  for_each_free_run(at, task,
-                    [&]
-                    {
-                      const StringEnergy stored = at.work.string->stored(task);
-                      energy.beams += stored.beams;
-                      energy.weight += stored.weight;
-                    },
-                    [&](int e) { store_beam(at, e, energy); });
+  for_each_free_run(
+      at, task,
+      [&]
+      {
+        const StringEnergy stored = at.work.string->stored(task);
+        energy.beams += stored.beams;
+        energy.weight += stored.weight;
+      },
+      [&](int e) { store_beam(at, e, energy); });
 }
 
 void sample_free_string(const StageContext& at, EnergySample& sample) noexcept

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/model/forces/guided_string.h"
 
 #include <algorithm>
@@ -271,7 +272,8 @@ void add_guided_string(const StageContext& at, const ForceRows& to) noexcept
 template <class Batch, class Node>
 void each_inner_run(const StageContext& at, const Batch& batch, const Node& node)
 {
-  each_clear_run(at.stage.inner_nodes, [&](int i) { return acted_on(at, i); }, batch);
+  each_clear_run(
+      at.stage.inner_nodes, [&](int i) { return acted_on(at, i); }, batch);
   for (const Runs::Run& run : at.stage.inner_nodes)
     for (int i = run.first; i < run.last; ++i)
       if (acted_on(at, i)) node(i);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SRC_MODEL_FORCES_HELD_NODE_H
 #define DRILL_RIG_SIM_SRC_MODEL_FORCES_HELD_NODE_H
 
@@ -7,7 +8,8 @@
 
 namespace drill_rig_sim
 {
-/// Springs by which something holds a node where it gripped it: against displacement and against its turn about the string's axis.
+/// Springs by which something holds a node where it gripped it: against displacement and against its turn about the string's
+/// axis.
 struct Grip
 {
   double stiffness;  ///< [N/m]

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/model/forces/hoisting.h"
 
 #include <cmath>
@@ -38,7 +39,8 @@ LineDamper damper_at(const StageContext& at, const LinePull& pull) noexcept
 BristleForce rail_at(const StageContext& at) noexcept
 {
   const double moved = at.node(at.model.top()).increment[2] - (at.stage.hoist.floor.height - at.start.hoist.floor.height);
-  return rail_bristle(at.model.scene().rig.hoisting, at.start.hoist.rail_deflection).at(moved, velocity_of_block(at), at.stage.time);
+  return rail_bristle(at.model.scene().rig.hoisting, at.start.hoist.rail_deflection)
+      .at(moved, velocity_of_block(at), at.stage.time);
 }
 
 StopForce stop_at(const StageContext& at) noexcept
@@ -93,8 +95,8 @@ const Force hoisting = {"hoisting", Cost::rig, Sum::none, add_hoisting, nullptr,
 
 namespace
 {
-/// A winch that stands at a stop stays there until it is sent the other way, or the block is well away: a block that bounces in its lines
-/// would be let down a little further at each bounce, until it lay on the stop.
+/// A winch that stands at a stop stays there until it is sent the other way, or the block is well away: a block that bounces in
+/// its lines would be let down a little further at each bounce, until it lay on the stop.
 bool stays_at_stop(const HoistingSpec& spec, const HoistState& hoist, const WinchSetpoint& command, double height) noexcept
 {
   constexpr double well_away = 0.05;  // [m]
@@ -125,7 +127,8 @@ HoistState wind(const HoistingSpec& spec, const State& state, const WinchSetpoin
   const double height = block_height(state);
   const double hook_load = line_pull(spec, height, state.hoist.line_length).hook_force;
   const bool stays = stays_at_stop(spec, state.hoist, command, height);
-  const WinchStep winch = advance_winch(spec, stays ? WinchSetpoint{0.0, false} : command, state.hoist.line_length, state.hoist.winch_speed, height, hook_load, time);
+  const WinchStep winch = advance_winch(spec, stays ? WinchSetpoint{0.0, false} : command, state.hoist.line_length,
+                                        state.hoist.winch_speed, height, hook_load, time);
   HoistState out = state.hoist;
   out.line_length = winch.line_length;
   out.winch_speed = winch.speed;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/model/forces/inertia.h"
 
 #include "drill_rig_sim/model/forces/free_string.h"

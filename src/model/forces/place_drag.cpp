@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/model/forces/place_drag.h"
 
 #include <algorithm>
@@ -69,45 +70,49 @@ void remember(const StageContext& at, std::size_t k, const SurfaceFriction& f) n
 
 void add_place_drag(const StageContext& at, const ForceRows& to) noexcept
 {
-  each_drag(at, [&](std::size_t k)
-  {
-    const PlaceDrag& drag = at.stage.drags[k];
-    const Vector3d& n = at.node(drag.node).axis;
-    SurfaceSlopes slopes;
-    const SurfaceFriction f = friction_of(at, k, to.with_tangent() ? &slopes : nullptr);
-    to.force(drag.node) += resistance(n, drag.lever, f.force);
-    remember(at, k, f);
-    if (!to.with_tangent()) return;
-    const Eigen::Matrix3d along = n * n.transpose();
-    const Eigen::Matrix2d& d = slopes.by_displacement;
-    auto block = to.slope(drag.node);
-    block.topLeftCorner<3, 3>() -= d(0, 0) * along;
-    block.topRightCorner<3, 3>() -= drag.lever * d(0, 1) * along;
-    block.bottomLeftCorner<3, 3>() -= drag.lever * d(1, 0) * along;
-    block.bottomRightCorner<3, 3>() -= drag.lever * drag.lever * d(1, 1) * along;
-  });
+  each_drag(at,
+            [&](std::size_t k)
+            {
+              const PlaceDrag& drag = at.stage.drags[k];
+              const Vector3d& n = at.node(drag.node).axis;
+              SurfaceSlopes slopes;
+              const SurfaceFriction f = friction_of(at, k, to.with_tangent() ? &slopes : nullptr);
+              to.force(drag.node) += resistance(n, drag.lever, f.force);
+              remember(at, k, f);
+              if (!to.with_tangent()) return;
+              const Eigen::Matrix3d along = n * n.transpose();
+              const Eigen::Matrix2d& d = slopes.by_displacement;
+              auto block = to.slope(drag.node);
+              block.topLeftCorner<3, 3>() -= d(0, 0) * along;
+              block.topRightCorner<3, 3>() -= drag.lever * d(0, 1) * along;
+              block.bottomLeftCorner<3, 3>() -= drag.lever * d(1, 0) * along;
+              block.bottomRightCorner<3, 3>() -= drag.lever * drag.lever * d(1, 1) * along;
+            });
 }
 
 void store_place_drag(const StageContext& at, StoredEnergy& energy) noexcept
 {
-  each_drag(at, [&](std::size_t k) { energy.bristles += 0.5 * place_drag_stiffness * at.work.result.drags[k].bristle.squaredNorm(); });
+  each_drag(
+      at, [&](std::size_t k) { energy.bristles += 0.5 * place_drag_stiffness * at.work.result.drags[k].bristle.squaredNorm(); });
 }
 
 void sample_place_drag(const StageContext& at, EnergySample& sample) noexcept
 {
-  each_drag(at, [&](std::size_t k)
-  {
-    const PlaceDrag& drag = at.stage.drags[k];
-    const Vector3d& n = at.node(drag.node).axis;
-    at_node(sample, NodeForce::friction, drag.node) += resistance(n, drag.lever, friction_of(at, k, nullptr).force);
-  });
+  each_drag(at,
+            [&](std::size_t k)
+            {
+              const PlaceDrag& drag = at.stage.drags[k];
+              const Vector3d& n = at.node(drag.node).axis;
+              at_node(sample, NodeForce::friction, drag.node) += resistance(n, drag.lever, friction_of(at, k, nullptr).force);
+            });
 }
 
 double plug_at(const Model& model, const State& state, int node) noexcept
 {
   const DragState& plug = state.faults.pack_off;
   const std::size_t i = static_cast<std::size_t>(node);
-  return pack_off_pressure(plug.amount, 2.0 * state.well.wall_at(plug.md, state.nodes[i].segment).radius, model.mesh().nodes[i].diameter);
+  return pack_off_pressure(plug.amount, 2.0 * state.well.wall_at(plug.md, state.nodes[i].segment).radius,
+                           model.mesh().nodes[i].diameter);
 }
 
 PlaceDrag drag_at(const Model& model, const State& state, double bit_depth, std::size_t k) noexcept
@@ -131,7 +136,8 @@ PlaceDrag drag_at(const Model& model, const State& state, double bit_depth, std:
 }
 }  // namespace
 
-const Force place_drag = {"place drag", Cost::contact, Sum::none, add_place_drag, nullptr, add_place_drag, store_place_drag, sample_place_drag};
+const Force place_drag = {"place drag", Cost::contact,  Sum::none,        add_place_drag,
+                          nullptr,      add_place_drag, store_place_drag, sample_place_drag};
 
 double depth_of_bit(const Model& model, const State& state) noexcept
 {

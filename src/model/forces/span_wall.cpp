@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/model/forces/span_wall.h"
 
 #include "drill_rig_sim/math/rotation.h"
@@ -28,8 +29,9 @@ WallForce span_sticking_force(const StageContext& at, int e, Matrix6d* block) no
   const SpanMotion& span = at.work.spans[e];
   const NodeMotion &lower = at.work.nodes[e], &upper = at.work.nodes[e + 1];
   const Vector6d rate = middle(span, lower.rate, upper.rate);
-  const ContactMotion motion{span.position,  span.increment.head<3>(), span.increment.tail<3>(), rate.head<3>(),
-                             rate.tail<3>(), at.stage.dv_du,             at.stage.time};
+  const ContactMotion motion{span.position,  span.increment.head<3>(), span.increment.tail<3>(),
+                             rate.head<3>(), rate.tail<3>(),           at.stage.dv_du,
+                             at.stage.time};
   const Vector3d& bristle = at.start.spans[e].bristle;
   const WallLaw law = at.model.span_contact(e, span.closest, at.start.spans[e].rest);
   return block ? wall_contact(span.closest, span_radius(at, e), motion, bristle, law, *block)
@@ -40,7 +42,8 @@ WallForce span_sliding_force(const StageContext& at, int e, Matrix6d* block) noe
 {
   const SpanMotion& span = at.work.spans[e];
   Matrix6d unused;
-  return sliding_wall_contact(span.closest, span_radius(at, e), span.position, at.stage.sliding, at.model.span_contact(e), block ? *block : unused);
+  return sliding_wall_contact(span.closest, span_radius(at, e), span.position, at.stage.sliding, at.model.span_contact(e),
+                              block ? *block : unused);
 }
 
 using ForceAtSpan = WallForce (*)(const StageContext&, int, Matrix6d*) noexcept;
@@ -50,33 +53,36 @@ void add_span_wall(const StageContext& at, const ForceRows& to) noexcept
 {
   StageResult& result = at.work.result;
   Matrix6d block;
-  each_outside(at.stage.guided_elements, at.model.elements(), [&](int e)
-  {
-    const SpanMotion& span = at.work.spans[e];
-    WallForce f;
-    if (span.touches)
-    {
-      f = force_at(at, e, to.with_tangent() ? &block : nullptr);
-      to.force(e) -= share(span.lower_arm, f.force, f.moment);
-      to.force(e + 1) -= share(span.upper_arm, f.force, f.moment);
-      if (to.with_tangent()) add_at_ends(span, e, -block, *to.tangent());
-    }
-    result.span_bristle[e] = f.bristle;
-    result.span_rest[e] = rest_after(f, at.start.spans[e].rest, at.stage.time);
-    result.forces.span_contact[e] = f.normal_force;
-    result.forces.span_wall[e] = f.force;
-  });
+  each_outside(at.stage.guided_elements, at.model.elements(),
+               [&](int e)
+               {
+                 const SpanMotion& span = at.work.spans[e];
+                 WallForce f;
+                 if (span.touches)
+                 {
+                   f = force_at(at, e, to.with_tangent() ? &block : nullptr);
+                   to.force(e) -= share(span.lower_arm, f.force, f.moment);
+                   to.force(e + 1) -= share(span.upper_arm, f.force, f.moment);
+                   if (to.with_tangent()) add_at_ends(span, e, -block, *to.tangent());
+                 }
+                 result.span_bristle[e] = f.bristle;
+                 result.span_rest[e] = rest_after(f, at.start.spans[e].rest, at.stage.time);
+                 result.forces.span_contact[e] = f.normal_force;
+                 result.forces.span_wall[e] = f.force;
+               });
 }
 
 void store_span_wall(const StageContext& at, StoredEnergy& energy) noexcept
 {
-  each_outside(at.stage.guided_elements, at.model.elements(), [&](int e)
-  {
-    const SpanMotion& span = at.work.spans[e];
-    const WallLaw& contact = at.model.span_contact(e);
-    energy.bristles += 0.5 * contact.tangential_stiffness * at.work.result.span_bristle[e].squaredNorm();
-    if (span.touches) energy.wall += elastic_energy(contact.law, -wall_gap(span.closest, span.position, span_radius(at, e)));
-  });
+  each_outside(at.stage.guided_elements, at.model.elements(),
+               [&](int e)
+               {
+                 const SpanMotion& span = at.work.spans[e];
+                 const WallLaw& contact = at.model.span_contact(e);
+                 energy.bristles += 0.5 * contact.tangential_stiffness * at.work.result.span_bristle[e].squaredNorm();
+                 if (span.touches)
+                   energy.wall += elastic_energy(contact.law, -wall_gap(span.closest, span.position, span_radius(at, e)));
+               });
 }
 
 void sample_span(const StageContext& at, int e, EnergySample& sample) noexcept
@@ -104,8 +110,14 @@ void sample_span_wall(const StageContext& at, EnergySample& sample) noexcept
 }
 }  // namespace
 
-const Force span_wall = {"wall between the nodes", Cost::contact, Sum::string, add_span_wall<span_sticking_force>, add_span_wall<span_sliding_force>,
-                         add_span_wall<span_sticking_force>, store_span_wall, sample_span_wall};
+const Force span_wall = {"wall between the nodes",
+                         Cost::contact,
+                         Sum::string,
+                         add_span_wall<span_sticking_force>,
+                         add_span_wall<span_sliding_force>,
+                         add_span_wall<span_sticking_force>,
+                         store_span_wall,
+                         sample_span_wall};
 
 Vector6d middle(const SpanMotion& span, const Vector6d& lower, const Vector6d& upper) noexcept
 {

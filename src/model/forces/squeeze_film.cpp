@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/model/forces/squeeze_film.h"
 
 namespace drill_rig_sim
@@ -40,7 +41,8 @@ void sample_squeeze_film(const StageContext& at, EnergySample& sample) noexcept
 }
 }  // namespace
 
-const Force squeeze_film = {"squeeze film", Cost::contact, Sum::contact, add_squeeze_film, nullptr, nullptr, nullptr, sample_squeeze_film};
+const Force squeeze_film = {"squeeze film", Cost::contact, Sum::contact, add_squeeze_film,
+                            nullptr,        nullptr,       nullptr,      sample_squeeze_film};
 
 void add_film_at_bit(const StageContext& at, const ForceRows& to) noexcept
 {

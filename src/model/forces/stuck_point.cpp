@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/model/forces/stuck_point.h"
 
 #include "held_node.h"
@@ -24,6 +25,7 @@ void sample_stuck_point(const StageContext& at, EnergySample& sample) noexcept
 }
 }  // namespace
 
-const Force stuck_point = {"stuck point", Cost::rig, Sum::contact, add_stuck_point, add_stuck_point, nullptr, store_stuck_point, sample_stuck_point};
+const Force stuck_point = {"stuck point",   Cost::rig, Sum::contact,      add_stuck_point,
+                           add_stuck_point, nullptr,   store_stuck_point, sample_stuck_point};
 
 }  // namespace drill_rig_sim

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/model/forces/top_drive.h"
 
 #include "drill_rig_sim/rig/top_drive.h"
@@ -49,7 +50,8 @@ void sample_top_drive(const StageContext& at, EnergySample& sample) noexcept
 }
 }  // namespace
 
-const Force top_drive = {"top drive", Cost::rig, Sum::none, add_top_drive, nullptr, add_top_drive, store_top_drive, sample_top_drive};
+const Force top_drive = {"top drive", Cost::rig,     Sum::none,       add_top_drive,
+                         nullptr,     add_top_drive, store_top_drive, sample_top_drive};
 
 double drive_increment(const Model& model, const State& start, const Stage& stage, const double* u) noexcept
 {

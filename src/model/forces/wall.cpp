@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/model/forces/wall.h"
 
 #include <cmath>
@@ -119,15 +120,16 @@ void add_batches(const StageContext& at, const ForceRows& to) noexcept
 {
   at.work.result.forces.bit_moment.setZero();
   int count = 0;
-  each_outside(at.stage.guided_nodes, at.model.top(), [&](int i)
-  {
-    if (i < at.model.mesh().gauge_nodes || (at.work.nodes[i].touches && at.model.contact(i).law.exponent != 1.5))
-      add_at<sticking_force>(at, i, to);
-    else if (at.work.nodes[i].touches)
-      enter(at, i, count++, to);
-    else
-      leave_clear(at.work.result, i);
-  });
+  each_outside(at.stage.guided_nodes, at.model.top(),
+               [&](int i)
+               {
+                 if (i < at.model.mesh().gauge_nodes || (at.work.nodes[i].touches && at.model.contact(i).law.exponent != 1.5))
+                   add_at<sticking_force>(at, i, to);
+                 else if (at.work.nodes[i].touches)
+                   enter(at, i, count++, to);
+                 else
+                   leave_clear(at.work.result, i);
+               });
   const bool exponential = at.model.scene().contact.stribeck_curve == StribeckCurve::exponential;
   at.work.wall->add({at.work.columns.wall_places.data(), count, at.stage.dv_du, at.stage.time, exponential});
 }
@@ -142,13 +144,15 @@ void add_sticking(const StageContext& at, const ForceRows& to) noexcept
 
 void store_wall(const StageContext& at, StoredEnergy& energy) noexcept
 {
-  each_outside(at.stage.guided_nodes, at.model.top(), [&](int i)
-  {
-    const NodeMotion& node = at.work.nodes[i];
-    energy.bristles += 0.5 * at.model.contact(i).tangential_stiffness * at.work.result.bristle[i].squaredNorm();
-    if (node.touches)
-      energy.wall += elastic_energy(at.model.contact(i).law, -wall_gap(node.closest, node.position, radius_of(at, i)));
-  });
+  each_outside(at.stage.guided_nodes, at.model.top(),
+               [&](int i)
+               {
+                 const NodeMotion& node = at.work.nodes[i];
+                 energy.bristles += 0.5 * at.model.contact(i).tangential_stiffness * at.work.result.bristle[i].squaredNorm();
+                 if (node.touches)
+                   energy.wall +=
+                       elastic_energy(at.model.contact(i).law, -wall_gap(node.closest, node.position, radius_of(at, i)));
+               });
 }
 
 /// The normal force apart: its elastic part is the gradient of the wall's energy, but for its share along a ledge.

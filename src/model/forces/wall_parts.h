@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_MODEL_FORCES_WALL_PARTS_H
 #define DRILL_RIG_SIM_MODEL_FORCES_WALL_PARTS_H
 
@@ -9,9 +10,9 @@ namespace drill_rig_sim
 /// A wall's force as the energy balance wants it, in the residual's sign (it resists the motion).
 struct WallParts
 {
-  Eigen::Vector3d elastic;  ///< gradient of the wall's energy [N]
-  Eigen::Vector3d ledge;    ///< what the force lacks of that, along a ledge [N]
-  Eigen::Vector3d damping;  ///< the rest of the normal force [N]
+  Eigen::Vector3d elastic;          ///< gradient of the wall's energy [N]
+  Eigen::Vector3d ledge;            ///< what the force lacks of that, along a ledge [N]
+  Eigen::Vector3d damping;          ///< the rest of the normal force [N]
   Eigen::Vector3d friction;         ///< [N]
   Eigen::Vector3d friction_moment;  ///< [N m]
 };

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Guided nodes at a stage: what guided_string.cpp, evaluate.cpp and guides.cpp do node by node.
 #include "drill_rig_sim/model/kernels/guided_kernel.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Batches of guided nodes. Included inside the namespace of a source of batch kernels, behind math/lanes.h, once for each set of
 // instructions; no include guard, therefore.
 

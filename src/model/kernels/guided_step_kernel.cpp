@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Guided nodes at the two ends of a step: formulas of model/guides.cpp.
 #include "drill_rig_sim/model/kernels/guided_kernel.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/model/kernels/history_kernel.h"
 
 #include "drill_rig_sim/model/stage.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A segment of the hole for each lane. Included inside the namespace of a source of batch kernels, behind math/lanes.h and
 // well/locate_text.h, once for each set of instructions; no include guard, therefore.
 

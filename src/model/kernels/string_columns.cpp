@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/model/kernels/string_columns.h"
 
 #include "drill_rig_sim/model/workspace.h"

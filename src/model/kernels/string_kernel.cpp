@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/model/kernels/string_kernel.h"
 
 #include "drill_rig_sim/model/kernels/string_columns.h"
@@ -205,8 +206,7 @@ void add_run(const StringTask& task)
 {
   double spare[36] = {};
   begin_run<kTangent>(task, spare);
-  for (int e = task.first; e < task.last; e += kLanes)
-    add_batch<kTangent>(task, e, lanes_from(e, task.last), spare);
+  for (int e = task.first; e < task.last; e += kLanes) add_batch<kTangent>(task, e, lanes_from(e, task.last), spare);
 }
 
 void add(const StringTask& task) noexcept

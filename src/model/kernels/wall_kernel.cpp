@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The law of contact/wall_contact.h for several nodes at a time.
 #include "drill_rig_sim/model/kernels/wall_kernel.h"
 

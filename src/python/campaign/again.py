@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """A run of a campaign once more: played in this process, or as files for a node and rviz."""
 import os
 import shlex

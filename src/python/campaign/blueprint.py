@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """What a run is made of, whole: the scene's text and the files that it names, controller and functions as sources. It goes to the workers and needs
 nothing that lies on a disk of theirs but the installed package."""
 import atexit

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """drill_campaign PLAN.yaml: does its runs that are not done yet, into one SQLite file. drill_campaign report, export, scene, play FILE: looks at them."""
 import argparse
 import contextlib

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Which values the runs of a campaign take: grid, list, Latin hypercube, Sobol's sequence, and the pairs of samples that his indices need."""
 import itertools
 import math

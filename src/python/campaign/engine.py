@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Dask distributed does the work: on this machine's cores, on a running cluster, or on workers that Slurm starts."""
 import contextlib
 import importlib.util

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Numbers with their unit in a campaign's plan, as in `9.5 ppg`. Whether a key takes the unit is for the scene's reader to say, which gets them as they are."""
 import re
 

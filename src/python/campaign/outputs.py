@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """What may be asked of a run by a path: drill score's numbers, and statistics over time of any number of a frame."""
 import math
 

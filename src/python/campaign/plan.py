@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Reads a campaign's plan: a Plan, or a PlanError that names file, line and key."""
 import os
 

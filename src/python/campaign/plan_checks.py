@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """What is seen before a campaign runs, so that it is refused by the plan's line: factors' keys, times, the controller and its parameters, and by the rig of one of
 the first runs what only a rig can tell."""
 import inspect

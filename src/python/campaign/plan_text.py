@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """A campaign's file as YAML whose every key is known: errors name file, line and key, and say what is allowed."""
 import yaml
 from drill_rig_sim.campaign import measures

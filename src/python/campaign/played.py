@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """One run of a blueprint in this process, and what is asked of it."""
 import math
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """A campaign's page: what came of it, how wrong it is, map, sensitivity, histograms, the worst runs."""
 import base64
 import html

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Of a campaign's page what its audits found: how wrong the results are, by output, and the list of audited runs."""
 import html
 

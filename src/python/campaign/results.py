@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """A campaign's results: one SQLite file, a row a run. What is in it stays, however the campaign ends."""
 import contextlib
 import csv

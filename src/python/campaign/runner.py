@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Runs within bounds: each worker has one process of its own for them, which is ended when it hangs and made anew when it has died."""
 import contextlib
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """A scene's file with places in it for values: any of its keys, those that it leaves out too."""
 import json
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """How much of an output's variance each factor makes: Sobol's indices from a design of kind saltelli, with confidence by bootstrap; rank correlations from others.
 
 First order: V_i = mean of b (ab_i - a) (Saltelli et al., Comput. Phys. Comm. 181 (2010) 259, table 2 (b)); total: T_i = mean of (a - ab_i)^2 / 2 (Jansen, same

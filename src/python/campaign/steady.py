@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """A controller for campaigns that want none: set points that stay."""
 from drill_rig_sim.law import RPM, Commands
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """What stands in the cells of a table: numbers with the decimal and grouping signs of any country, texts that stand for no number."""
 import re
 

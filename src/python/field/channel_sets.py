@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Logs of WITSML 2.0 and 2.1 as Tables: one for each ChannelSet, or for each Channel that holds data of its own, of JSON arrays [[index, ...], [values, ...]]."""
 import json
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Which columns of a table hold which signals, where no map names them."""
 import re
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """A map: which column of a record holds which signal, in which unit."""
 from drill_rig_sim.campaign.plan_text import PlanError, plan_of
 from drill_rig_sim.field.heading import BLANK, name_in

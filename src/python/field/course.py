@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The height of a recorded block as a course in time: the noise of its gauge does not move it back and forth, and its speed has no jumps."""
 import numpy
 

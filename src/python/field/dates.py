@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Dates with a time of the day as records write them, in seconds since 1970 UTC."""
 import itertools
 import re

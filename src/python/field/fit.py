@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Least squares of a model's parameters with confidence, by scipy; the model is asked for many points at once, so that its runs may go side by side."""
 import numpy
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """What a fit found, as a file: drill calibrate --json writes it, and --apply plays it to another record, table or well."""
 import json
 import math

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """A record's block, rotary speed and flow as a law for a simulated rig."""
 import numpy
 from drill_rig_sim.field.course import TURNS, Course, half_band

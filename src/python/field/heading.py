@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The lines above the rows of a delimited table: a title, the names of the columns in one line or in up to three, and what stands between them and the rows."""
 import csv
 import re

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Log ASCII Standard, LAS 1.2 and 2.0 (Canadian Well Logging Society), as a Table."""
 import re
 

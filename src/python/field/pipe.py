@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Where in a record pipe was added or taken away: the bit stands while the block goes its own way."""
 import numpy
 from drill_rig_sim.field.record import RecordError

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """What a model with fitted parameters predicts, in the band that the confidence of the fit and the scatter of its data leave."""
 import numpy
 

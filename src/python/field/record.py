@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """A rig's record as arrays in SI: delimited tables, logs of WITSML and LAS files, one or several files of the same well joined by time."""
 import os
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """A record's block, rotary speed and flow, fed to a simulator; hook load, torque and pressure against what was recorded."""
 import re
 

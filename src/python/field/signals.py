@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """What a record may hold: each signal's quantity, its plausible range and the names that the trade gives it."""
 import re
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """A scene as the start of a replay: begun where the record begins, without a crew that makes connections of its own."""
 import math
 

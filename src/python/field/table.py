@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """A table of texts with named columns: what a delimited file, a WITSML log and a LAS file have in common. Its cells become signals in signal_reader.py."""
 import csv
 import re

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """A unit that changes in the middle of a record's column: from one row to the next all values are larger or smaller by the ratio of two units of the trade."""
 import numpy
 

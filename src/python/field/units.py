@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Units of records, to SI: those of the one table of units (math/unit_table.h), and dates."""
 import functools
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """A part of a record, and stretches of it that are not compared."""
 import copy
 import math

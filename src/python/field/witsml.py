@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Logs of WITSML as Tables: of 1.3.1.1 and 1.4.1.1 one for each logData; of 2.0 see channel_sets.py."""
 import csv
 import re

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """What the rig does over time: rotary drilling, slides, connections, trips, circulation; and the sheets that are made of it."""
 import numpy
 

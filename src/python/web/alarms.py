@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Alarms of a run: a red one stays until it is acknowledged, however short it was."""
 import numpy
 from drill_rig_sim.web.flags import FLAGS

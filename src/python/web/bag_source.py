@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """A bag as a source: all of it at once."""
 from drill_rig_sim.score_runs import RunError, namespace_of
 from drill_rig_sim.web.news import STATE, STATE_KIND, TOPICS, TRUTH, TRUTH_KIND, News, ReadSource

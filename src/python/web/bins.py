@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Signals in equal steps of time or depth: least, mean and largest value of each step. No peak is lost, however much a run is condensed."""
 import numpy
 

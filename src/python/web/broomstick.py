@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The broomstick chart: hook load over the depth of the bit, picked up, slacked off and rotating, for several frictions; worked out as `drill static`
 does, in a process of its own at low priority. Run as a module, it is that process: a scene's text by standard input, a JSON line for each point by
 standard output."""

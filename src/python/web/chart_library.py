@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Where Chart.js is: Debian's libjs-chart.js, never a copy in this package."""
 import os
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """What pages are sent, as dicts: all of it to a new page, then what has changed."""
 import time
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The one list of what the page shows of rig_state: which member, under which name, in which unit and on which track."""
 import typing
 

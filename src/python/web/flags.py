@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """What a flag means to a driller, and its rank: red is latched until it is acknowledged. Written by test/tool/test_tables.py from the table of
 src/rviz/console/flags.cpp."""
 FLAGS = {

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Commands to a live rig on behalf of the pages. Dead-man: the block moves while a page repeats its order, and streams of set points go on while a
 page is alive. Where this process ends, the node's command_timeout sets the brake."""
 import time

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The package's autodriller, started, followed and stopped by pages; it drives the rig by topics as a node of launch/autodriller.launch does."""
 import math
 import threading

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """What a source has for the feed since it was asked last."""
 import typing
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """A live node as a source: its topics by rospy, taken as bytes. A node or a ROS master that ends and comes back is joined again."""
 import collections
 import struct

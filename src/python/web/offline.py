@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The page with a run's data inside, as one file that needs no server: modules, styles and Chart.js stand in it."""
 import json
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """What pages may ask for. Everybody may acknowledge alarms; the rig is commanded only where `drill web` was started with --control."""
 import asyncio
 import math

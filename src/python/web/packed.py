@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Members of many messages of one type at once, from their bytes: 100 messages at a time cost little more than one that is deserialized."""
 import numpy
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """A run as the page has it, made of the messages of rig_state as they come: logs by time and depth, alarms, activity, the present state."""
 import math
 

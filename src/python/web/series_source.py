@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """A time series of `drill run --csv` as a source: all of it at once, the truth."""
 import numpy
 from drill_rig_sim.score import bottom_points, new_hole, on_bottom

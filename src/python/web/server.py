@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The web server: the page's files and a web socket, for this machine and for those who know the token in the address."""
 import asyncio
 import hmac

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Messages that describe a rig, as the page takes them: plain dicts in SI units."""
 import math
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Set points that are repeated. To the node, a stream of commands that falls silent is a lost controller: it sets the brake and lets the drive
 coast."""
 import time

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Weights of the string that a run has shown: steady pick-up, slack-off and rotating off bottom, as `drill weights` finds them."""
 import numpy
 from drill_rig_sim.field.moves import moves_of

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "alarm_log.h"
 
 #include <algorithm>
@@ -18,7 +19,8 @@ Alarm* AlarmLog::find(Flag flag)
 
 void AlarmLog::remove_old()
 {
-  alarms_.erase(std::remove_if(alarms_.begin(), alarms_.end(), [](const Alarm& a) { return a.ended && a.acknowledged; }), alarms_.end());
+  alarms_.erase(std::remove_if(alarms_.begin(), alarms_.end(), [](const Alarm& a) { return a.ended && a.acknowledged; }),
+                alarms_.end());
 }
 
 std::vector<Alarm> AlarmLog::take(double time, const Flags& flags)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SRC_RVIZ_CONSOLE_CONNECTION_LOG_H
 #define DRILL_RIG_SIM_SRC_RVIZ_CONSOLE_CONNECTION_LOG_H
 
@@ -10,10 +11,10 @@ namespace drill_rig_sim::console
 /// What a connection is known by, of one rig_state.
 struct PipeWork
 {
-  double time;      // simulated [s]
+  double time;  // simulated [s]
   bool in_slips;
   int stand_count;
-  bool drills;      // near bottom with a rate of penetration
+  bool drills;  // near bottom with a rate of penetration
 };
 
 /// One connection.
@@ -24,8 +25,8 @@ struct Connection
   double weight_to_weight;  // from the end of drilling to its next begin [s]; NaN before it is known
 };
 
-/// Times of connections. Only slips with more stands behind them than before are one; pipe that is taken away belongs to a trip. Drilling counts once
-/// it has lasted 3 s. After a gap of more than 5 s in the readings, the connection under way is not counted.
+/// Times of connections. Only slips with more stands behind them than before are one; pipe that is taken away belongs to a trip.
+/// Drilling counts once it has lasted 3 s. After a gap of more than 5 s in the readings, the connection under way is not counted.
 class ConnectionLog
 {
 public:

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "flags.h"
 
 namespace drill_rig_sim::console

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SRC_RVIZ_CONSOLE_FLAGS_H
 #define DRILL_RIG_SIM_SRC_RVIZ_CONSOLE_FLAGS_H
 
@@ -45,10 +46,13 @@ struct FlagRow
   Level level;       // normal: no warning, only what is the case
 };
 
-/// The one table of flags, in the order of Flag. The page of drill web has its texts and ranks from it: after a change write src/python/web/flags.py
-/// by test/tool/test_tables.py DRILL --write.
+/// The one table of flags, in the order of Flag. The page of drill web has its texts and ranks from it: after a change write
+/// src/python/web/flags.py by test/tool/test_tables.py DRILL --write.
 const std::array<FlagRow, flag_count>& flag_rows();
-inline const FlagRow& row_of(Flag flag) { return flag_rows()[static_cast<std::size_t>(flag)]; }
+inline const FlagRow& row_of(Flag flag)
+{
+  return flag_rows()[static_cast<std::size_t>(flag)];
+}
 
 /// The gauges that can fail: fields of RigState, in the order of the bits of lost_gauges.
 const std::array<Quantity, drill_rig_sim::gauge_count>& failing_gauges();

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "history.h"
 
 #include <algorithm>
@@ -8,10 +9,14 @@ namespace drill_rig_sim::console
 {
 namespace
 {
-constexpr double longest_pause = 5.0;  // between readings; after a longer one the line is broken, if they do not come that slowly [s]
+constexpr double longest_pause =
+    5.0;  // between readings; after a longer one the line is broken, if they do not come that slowly [s]
 }
 
-History::History(Axis axis, std::size_t capacity, double interval) : axis_(axis), capacity_(capacity), interval_(interval) { samples_.reserve(capacity); }
+History::History(Axis axis, std::size_t capacity, double interval) : axis_(axis), capacity_(capacity), interval_(interval)
+{
+  samples_.reserve(capacity);
+}
 
 void History::clear()
 {

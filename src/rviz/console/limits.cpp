@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "limits.h"
 
 #include <algorithm>
@@ -16,9 +17,15 @@ double first_reached(double a, double b)
   return b > 0.0 ? std::min(a, b) : a;
 }
 
-Limits below(double alarm) { return {missing, missing, share_of_caution * alarm, alarm}; }
+Limits below(double alarm)
+{
+  return {missing, missing, share_of_caution * alarm, alarm};
+}
 
-Limits both_ways(double alarm) { return {-alarm, -share_of_caution * alarm, share_of_caution * alarm, alarm}; }
+Limits both_ways(double alarm)
+{
+  return {-alarm, -share_of_caution * alarm, share_of_caution * alarm, alarm};
+}
 
 Limits of_the_block(const RigAbilities& rig)
 {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "link_state.h"
 
 namespace drill_rig_sim::console
@@ -25,7 +26,10 @@ LinkState link_state(const Heard& heard)
   return LinkState::expected;
 }
 
-bool hears(LinkState state) { return state != LinkState::hidden && state != LinkState::no_master && state != LinkState::absent; }
+bool hears(LinkState state)
+{
+  return state != LinkState::hidden && state != LinkState::no_master && state != LinkState::absent;
+}
 
 const char* name_of(LinkState state)
 {

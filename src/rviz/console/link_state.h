@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SRC_RVIZ_CONSOLE_LINK_STATE_H
 #define DRILL_RIG_SIM_SRC_RVIZ_CONSOLE_LINK_STATE_H
 
@@ -42,7 +43,8 @@ constexpr double late_after = 1.0;              // of rig_state while it runs: 1
 constexpr double diagnostics_late_after = 3.5;  // come once a second, paused or not [s]
 constexpr double gone_after = 6.0;              // nothing at all: a connection to who was killed stays [s]
 
-/// A simulator that is slowed down sends frames more rarely and is late later; one that is paused sends none: its diagnostics tell that it lives.
+/// A simulator that is slowed down sends frames more rarely and is late later; one that is paused sends none: its diagnostics
+/// tell that it lives.
 LinkState link_state(const Heard& heard);
 /// Whether a command has a subscriber.
 bool hears(LinkState state);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "quantities.h"
 
 #include <algorithm>
@@ -80,11 +81,11 @@ Rows all_rows()
 {
   Rows rows = named_rows();
   std::size_t n = index_of(Quantity::other);
-#define BOTH(type, name, ...)                                  \
+#define BOTH(type, name, ...)                                     \
   if constexpr (std::is_same_v<type, double> && !is_named(#name)) \
-  {                                                            \
-    rows[n] = other_row(static_cast<Quantity>(n), #name, rows); \
-    ++n;                                                       \
+  {                                                               \
+    rows[n] = other_row(static_cast<Quantity>(n), #name, rows);   \
+    ++n;                                                          \
   }
 #include "drill_rig_sim/scene/signal_list.h"
   return rows;
@@ -97,7 +98,10 @@ const std::array<QuantityRow, quantity_count>& quantities()
   return rows;
 }
 
-const QuantityRow& row_of(Quantity quantity) { return quantities()[index_of(quantity)]; }
+const QuantityRow& row_of(Quantity quantity)
+{
+  return quantities()[index_of(quantity)];
+}
 
 Quantity quantity_of(const std::string& key)
 {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SRC_RVIZ_CONSOLE_QUANTITIES_H
 #define DRILL_RIG_SIM_SRC_RVIZ_CONSOLE_QUANTITIES_H
 
@@ -14,9 +15,22 @@
 namespace drill_rig_sim::console
 {
 /// Numbers of the list of signals (scene/signal_list.h) that have a name in the code here.
-constexpr std::string_view named_quantities[] = {"hook_load", "surface_wob", "torque", "top_drive_speed", "rop", "stand_pipe_pressure",
-                                                 "differential_pressure", "flow", "bit_depth", "hole_depth", "block_height", "dead_line_hook_load",
-                                                 "block_velocity", "top_drive_angle", "stroke_rate", "ecd"};
+constexpr std::string_view named_quantities[] = {"hook_load",
+                                                 "surface_wob",
+                                                 "torque",
+                                                 "top_drive_speed",
+                                                 "rop",
+                                                 "stand_pipe_pressure",
+                                                 "differential_pressure",
+                                                 "flow",
+                                                 "bit_depth",
+                                                 "hole_depth",
+                                                 "block_height",
+                                                 "dead_line_hook_load",
+                                                 "block_velocity",
+                                                 "top_drive_angle",
+                                                 "stroke_rate",
+                                                 "ecd"};
 constexpr bool is_named(std::string_view name)
 {
   for (const std::string_view named : named_quantities)
@@ -75,7 +89,10 @@ const std::array<QuantityRow, quantity_count>& quantities();
 const QuantityRow& row_of(Quantity quantity);
 /// The quantity of this key; Quantity::count where there is none.
 Quantity quantity_of(const std::string& key);
-constexpr std::size_t index_of(Quantity quantity) { return static_cast<std::size_t>(quantity); }
+constexpr std::size_t index_of(Quantity quantity)
+{
+  return static_cast<std::size_t>(quantity);
+}
 
 constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 
@@ -99,13 +116,13 @@ struct Values
   std::array<double, quantity_count> value;
   std::array<const char*, quantity_count> why;
   std::array<double, quantity_count> error;  // of the simulation, as its companion measures it [SI]; NaN: not measured
-  std::bitset<quantity_count> lost;  // in a drop-out: repeats its last reading
+  std::bitset<quantity_count> lost;          // in a drop-out: repeats its last reading
 };
 
 constexpr double least_rop = 5e-5;  // from which on something is drilled: 0.18 m/h, as on the page of drill web [m/s]
 
-/// Mechanical specific energy (Teale 1965), F/A + T w/(A v) [Pa], of weight F [N], torque T [N m], speed w [rad/s], rate of penetration v [m/s] and
-/// the bit's diameter [m]. NaN below 0.18 m/h or without a diameter: nothing is drilled.
+/// Mechanical specific energy (Teale 1965), F/A + T w/(A v) [Pa], of weight F [N], torque T [N m], speed w [rad/s], rate of
+/// penetration v [m/s] and the bit's diameter [m]. NaN below 0.18 m/h or without a diameter: nothing is drilled.
 double specific_energy(double weight, double torque, double speed, double rop, double diameter);
 
 /// A number as it is shown, without its unit; "-" where there is none.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "camera_preset.h"
 
 #include <algorithm>
@@ -52,7 +53,8 @@ OrbitView whole_well(Preset preset, const HoleAxis& axis, double crown_height)
     return view;
   }
   most.z() = crown_height;
-  const double size = std::max(most.z() - least.z(), (most - least).head<2>().norm() / 1.4);  // a picture is wider than it is high
+  const double size =
+      std::max(most.z() - least.z(), (most - least).head<2>().norm() / 1.4);  // a picture is wider than it is high
   return looking_from(0.5 * (least + most), beside_well(axis), std::max(margin * size / shown, 30.0));
 }
 }  // namespace

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "color_scale.h"
 
 #include <algorithm>
@@ -11,8 +12,10 @@ namespace
 {
 constexpr int patience = 50;  // messages until a scale that is too wide gets narrower
 
-// viridis without its darkest part, which a dark ground swallows; blue, white, orange where there are both signs: all can be told by the colour-blind
-constexpr std::array<Color, 5> viridis{{{0.27f, 0.23f, 0.51f}, {0.17f, 0.44f, 0.56f}, {0.13f, 0.66f, 0.51f}, {0.56f, 0.84f, 0.27f}, {0.99f, 0.91f, 0.14f}}};
+// viridis without its darkest part, which a dark ground swallows; blue, white, orange where there are both signs: all can be told
+// by the colour-blind
+constexpr std::array<Color, 5> viridis{
+    {{0.27f, 0.23f, 0.51f}, {0.17f, 0.44f, 0.56f}, {0.13f, 0.66f, 0.51f}, {0.56f, 0.84f, 0.27f}, {0.99f, 0.91f, 0.14f}}};
 constexpr std::array<Color, 3> orange{{{0.97f, 0.97f, 0.97f}, {0.99f, 0.72f, 0.39f}, {0.90f, 0.38f, 0.01f}}};
 constexpr std::array<Color, 3> blue{{{0.97f, 0.97f, 0.97f}, {0.45f, 0.68f, 0.85f}, {0.02f, 0.32f, 0.69f}}};
 

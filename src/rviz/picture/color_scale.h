@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SRC_RVIZ_PICTURE_COLOR_SCALE_H
 #define DRILL_RIG_SIM_SRC_RVIZ_PICTURE_COLOR_SCALE_H
 
@@ -12,8 +13,8 @@ struct Color
   float r = 1.0f, g = 1.0f, b = 1.0f, a = 1.0f;
 };
 
-/// From a value to a colour and back to the reader. Above 0 lime, yellow, orange and red, below 0 light to deep blue; values beyond the ends have the
-/// colour of the end.
+/// From a value to a colour and back to the reader. Above 0 lime, yellow, orange and red, below 0 light to deep blue; values
+/// beyond the ends have the colour of the end.
 class ColorScale
 {
 public:
@@ -34,13 +35,13 @@ private:
 /// The least of 1, 2, 2.5, 5 times a power of ten that is not below `value`; 1 where that is not above 0.
 double round_up(double value) noexcept;
 
-/// Chooses the ends of a scale for values that change with every message, so that colours do not flicker: an end moves at once where values go
-/// beyond it, and back once they have not reached half of it for fifty messages.
+/// Chooses the ends of a scale for values that change with every message, so that colours do not flicker: an end moves at once
+/// where values go beyond it, and back once they have not reached half of it for fifty messages.
 class SteadyRange
 {
 public:
-  /// Takes the values of a message. `share` of their sizes (0 to 1) is to lie within the scale: the rest is cut off, as one large value at the bit
-  /// would hide all others.
+  /// Takes the values of a message. `share` of their sizes (0 to 1) is to lie within the scale: the rest is cut off, as one large
+  /// value at the bit would hide all others.
   void take(const std::vector<double>& values, double share);
   ColorScale scale() const { return {low_, high_}; }
   void restart() { *this = SteadyRange(); }

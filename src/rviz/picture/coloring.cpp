@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "coloring.h"
 
 namespace drill_rig_sim
@@ -28,13 +29,11 @@ std::vector<double> quantity(std::size_t which, const StringData& data)
 
 const std::vector<Coloring>& colorings()
 {
-  static const std::vector<Coloring> all{{"tension", "kN", 1e3, 1.0, 0.0, false},
-                                         {"torque", "kN m", 1e3, 1.0, 0.0, false},
-                                         {"bending stress", "MPa", 1e6, 0.98, 0.0, false},
-                                         {"contact force", "kN/m", 1e3, 0.95, 0.0, false},
-                                         {"spin speed", "rpm", rpm, 1.0, 0.0, false},
-                                         {"buckling factor", "1: buckles", 1.0, 1.0, 1.0, false},
-                                         {"level of model", "", 1.0, 1.0, 1.0, true}};
+  static const std::vector<Coloring> all{
+      {"tension", "kN", 1e3, 1.0, 0.0, false},          {"torque", "kN m", 1e3, 1.0, 0.0, false},
+      {"bending stress", "MPa", 1e6, 0.98, 0.0, false}, {"contact force", "kN/m", 1e3, 0.95, 0.0, false},
+      {"spin speed", "rpm", rpm, 1.0, 0.0, false},      {"buckling factor", "1: buckles", 1.0, 1.0, 1.0, false},
+      {"level of model", "", 1.0, 1.0, 1.0, true}};
   return all;
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SRC_RVIZ_PICTURE_COLORING_H
 #define DRILL_RIG_SIM_SRC_RVIZ_PICTURE_COLORING_H
 
@@ -12,11 +13,11 @@ namespace drill_rig_sim
 struct Coloring
 {
   const char* name;
-  const char* unit;      ///< that legend and full scale are in
-  double unit_size;      ///< one of it, in SI
-  double share;          ///< of the values that lie within an automatic scale: SteadyRange::take
-  double fixed_high;     ///< full scale where it is not automatic by default, in units; 0: automatic
-  bool levels;           ///< two colours and no scale
+  const char* unit;   ///< that legend and full scale are in
+  double unit_size;   ///< one of it, in SI
+  double share;       ///< of the values that lie within an automatic scale: SteadyRange::take
+  double fixed_high;  ///< full scale where it is not automatic by default, in units; 0: automatic
+  bool levels;        ///< two colours and no scale
 };
 
 /// All of them, in the order of the display's list.

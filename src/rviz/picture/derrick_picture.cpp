@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "derrick_picture.h"
 
 #include <algorithm>
@@ -10,8 +11,8 @@ namespace
 {
 constexpr double half_foot = 5.0, half_crown = 1.2, half_floor = 6.0;  // [m]
 constexpr double block_top = 4.6;                                      // of the travelling block above the shaft's end [m]
-constexpr Color beam{0.62f, 0.64f, 0.66f}, brace{0.45f, 0.47f, 0.50f}, floor_color{0.34f, 0.36f, 0.38f}, block{0.90f, 0.75f, 0.10f},
-    drive{0.30f, 0.55f, 0.80f}, rope{0.80f, 0.80f, 0.75f};
+constexpr Color beam{0.62f, 0.64f, 0.66f}, brace{0.45f, 0.47f, 0.50f}, floor_color{0.34f, 0.36f, 0.38f},
+    block{0.90f, 0.75f, 0.10f}, drive{0.30f, 0.55f, 0.80f}, rope{0.80f, 0.80f, 0.75f};
 
 /// A leg's place at a height.
 Vector3d leg(int which, double share, double crown_height)
@@ -70,7 +71,7 @@ void add_lines(MeshData& lines, double crown_height, double block_height, int sh
     const double y = 0.8 * (2.0 * i / (count - 1.0) - 1.0);
     lines.add_line({0.0, y, bottom}, {0.0, y, top}, rope);
   }
-  lines.add_line({0.0, 0.9, top}, {half_foot - 0.5, 2.5, 0.0}, rope);     // fast line, to the drum
+  lines.add_line({0.0, 0.9, top}, {half_foot - 0.5, 2.5, 0.0}, rope);    // fast line, to the drum
   lines.add_line({0.0, -0.9, top}, {half_foot - 0.5, -3.5, 0.0}, rope);  // dead line, to its anchor
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "hole_axis.h"
 
 #include <algorithm>
@@ -27,8 +28,8 @@ Vector3d unit(const Vector3d& v)
   return length > 0.0 ? Vector3d(v / length) : Vector3d(-Vector3d::UnitZ());
 }
 
-/// Length of the cubic that has unit tangents at its ends: by Simpson's rule on a chord of length h it is h (1 + b^2/24), b the angle between the
-/// tangents; to fourth order in b.
+/// Length of the cubic that has unit tangents at its ends: by Simpson's rule on a chord of length h it is h (1 + b^2/24), b the
+/// angle between the tangents; to fourth order in b.
 double arc_length(const Vector3d& chord, const Vector3d& from, const Vector3d& to)
 {
   const double angle = std::atan2(from.cross(to).norm(), from.dot(to));
@@ -36,7 +37,9 @@ double arc_length(const Vector3d& chord, const Vector3d& from, const Vector3d& t
 }
 }  // namespace
 
-HoleAxis::HoleAxis() : points_(1) {}
+HoleAxis::HoleAxis() : points_(1)
+{
+}
 
 HoleAxis::HoleAxis(const std::vector<Vector3d>& points, const std::vector<Vector3d>& tangents)
 {
@@ -84,8 +87,10 @@ AxisPoint HoleAxis::at(double md) const noexcept
   const double h = b.md - a.md, u = (md - a.md) / h, w = 1.0 - u;
   AxisPoint p;
   p.md = md;
-  p.position = (1.0 + 2.0 * u) * w * w * a.position + u * w * w * h * a.tangent + u * u * (3.0 - 2.0 * u) * b.position - u * u * w * h * b.tangent;
-  p.tangent = unit(6.0 * u * w * (b.position - a.position) / h + w * (1.0 - 3.0 * u) * a.tangent + u * (3.0 * u - 2.0) * b.tangent);
+  p.position = (1.0 + 2.0 * u) * w * w * a.position + u * w * w * h * a.tangent + u * u * (3.0 - 2.0 * u) * b.position -
+               u * u * w * h * b.tangent;
+  p.tangent =
+      unit(6.0 * u * w * (b.position - a.position) / h + w * (1.0 - 3.0 * u) * a.tangent + u * (3.0 * u - 2.0) * b.tangent);
   p.side = across(w * a.side + u * b.side, p.tangent);
   return p;
 }

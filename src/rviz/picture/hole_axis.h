@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SRC_RVIZ_PICTURE_HOLE_AXIS_H
 #define DRILL_RIG_SIM_SRC_RVIZ_PICTURE_HOLE_AXIS_H
 
@@ -16,15 +17,16 @@ struct AxisPoint
   Eigen::Vector3d other() const { return tangent.cross(side); }
 };
 
-/// The hole's axis as a smooth curve through points with tangents (cubic Hermite), with frames by parallel transport: none of them turns about the
-/// axis against the one before, so that tubes about it do not wind (Bishop, There is more than one way to frame a curve, 1975).
-/// Above its first and below its last point it goes on straight.
+/// The hole's axis as a smooth curve through points with tangents (cubic Hermite), with frames by parallel transport: none of
+/// them turns about the axis against the one before, so that tubes about it do not wind (Bishop, There is more than one way to
+/// frame a curve, 1975). Above its first and below its last point it goes on straight.
 class HoleAxis
 {
 public:
   /// A vertical one, one point long.
   HoleAxis();
-  /// `points`: top down, at least one; points less than 1 mm from the one before are left out. `tangents`: as many, of any length but 0.
+  /// `points`: top down, at least one; points less than 1 mm from the one before are left out. `tangents`: as many, of any length
+  /// but 0.
   HoleAxis(const std::vector<Eigen::Vector3d>& points, const std::vector<Eigen::Vector3d>& tangents);
 
   /// Goes on straight to this measured depth [m]; false where it is that deep already.
@@ -32,7 +34,8 @@ public:
   double depth() const noexcept { return points_.back().md; }
   const std::vector<AxisPoint>& points() const noexcept { return points_; }
   AxisPoint at(double md) const noexcept;
-  /// The place nearest to `point`, looked for from measured depth `guess` on; right where the guess is off by less than the radius of curvature.
+  /// The place nearest to `point`, looked for from measured depth `guess` on; right where the guess is off by less than the
+  /// radius of curvature.
   AxisPoint nearest(const Eigen::Vector3d& point, double guess) const noexcept;
 
 private:

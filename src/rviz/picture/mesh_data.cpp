@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "mesh_data.h"
 
 #include <Eigen/Geometry>
@@ -69,7 +70,8 @@ void shade(MeshData& mesh)
   }
 }
 
-void add_quad(MeshData& mesh, const Vector3d& a, const Vector3d& b, const Vector3d& c, const Vector3d& d, const Vector3d& normal, const Color& color)
+void add_quad(MeshData& mesh, const Vector3d& a, const Vector3d& b, const Vector3d& c, const Vector3d& d, const Vector3d& normal,
+              const Color& color)
 {
   const std::uint32_t first = mesh.add(a, normal, color);
   mesh.add(b, normal, color);
@@ -96,7 +98,8 @@ void add_tube(MeshData& mesh, const std::vector<Ring>& rings, int sides, bool in
     for (std::uint32_t k = 0; k < n; ++k)
     {
       const std::uint32_t l = (k + 1) % n, a = first + i * n, b = a + n;
-      const std::uint32_t p = inside ? a + l : a + k, q = inside ? a + k : a + l, r = inside ? b + l : b + k, s = inside ? b + k : b + l;
+      const std::uint32_t p = inside ? a + l : a + k, q = inside ? a + k : a + l, r = inside ? b + l : b + k,
+                          s = inside ? b + k : b + l;
       mesh.add_triangle(p, q, s);
       mesh.add_triangle(p, s, r);
     }
@@ -108,7 +111,8 @@ void add_disc(MeshData& mesh, const Ring& ring, int sides, bool back)
   const std::uint32_t middle = mesh.add(ring.center, normal, ring.color);
   const std::vector<Eigen::Vector2d> round = circle(std::max(sides, 3));
   const auto n = static_cast<std::uint32_t>(round.size());
-  for (const Eigen::Vector2d& angle : round) mesh.add(ring.center + ring.radius * (angle.x() * ring.side + angle.y() * ring.other), normal, ring.color);
+  for (const Eigen::Vector2d& angle : round)
+    mesh.add(ring.center + ring.radius * (angle.x() * ring.side + angle.y() * ring.other), normal, ring.color);
   for (std::uint32_t k = 0; k < n; ++k)
   {
     const std::uint32_t a = middle + 1 + k, b = middle + 1 + (k + 1) % n;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "pick.h"
 
 #include <algorithm>
@@ -13,7 +14,8 @@ namespace
 double nearest_share(const Vector3d& a, const Vector3d& b, const Ray& ray)
 {
   const Vector3d rod = b - a, off = a - ray.origin;
-  const Vector3d rod_across = rod - rod.dot(ray.direction) * ray.direction, off_across = off - off.dot(ray.direction) * ray.direction;
+  const Vector3d rod_across = rod - rod.dot(ray.direction) * ray.direction,
+                 off_across = off - off.dot(ray.direction) * ray.direction;
   const double size = rod_across.squaredNorm();
   return size > 0.0 ? std::clamp(-off_across.dot(rod_across) / size, 0.0, 1.0) : 0.0;
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SRC_RVIZ_PICTURE_PICK_H
 #define DRILL_RIG_SIM_SRC_RVIZ_PICTURE_PICK_H
 
@@ -21,9 +22,9 @@ struct Picked
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
 };
 
-/// The string is a chain of rods `radius` thick about its drawn nodes, which grow by `slope` times their distance from the eye, so that a few pixels
-/// beside it still hit. Of several that are hit the one whose axis is nearest to the ray, measured in its own thickness. Nothing where none is, or the
-/// rod lies behind the eye.
+/// The string is a chain of rods `radius` thick about its drawn nodes, which grow by `slope` times their distance from the eye,
+/// so that a few pixels beside it still hit. Of several that are hit the one whose axis is nearest to the ray, measured in its
+/// own thickness. Nothing where none is, or the rod lies behind the eye.
 std::optional<Picked> pick(const std::vector<DrawnNode>& nodes, double radius, double slope, const Ray& ray);
 
 }  // namespace drill_rig_sim

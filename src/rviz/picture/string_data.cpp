@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "string_data.h"
 
 #include <algorithm>
@@ -27,17 +28,24 @@ bool ascending(const std::vector<double>& values)
 std::string problem_of(const StringData& d)
 {
   if (d.size() < 2) return "the string has " + std::to_string(d.size()) + " nodes, needed are two";
-  const std::pair<const char*, const std::vector<double>*> arrays[] = {
-      {"md", &d.md}, {"from_bit", &d.from_bit}, {"tension", &d.tension}, {"torque", &d.torque}, {"bending_moment", &d.bending_moment},
-      {"bending_stress", &d.bending_stress}, {"contact_force", &d.contact_force}, {"contact_side", &d.contact_side}, {"spin_speed", &d.spin_speed},
-      {"buckling_factor", &d.buckling}};
+  const std::pair<const char*, const std::vector<double>*> arrays[] = {{"md", &d.md},
+                                                                       {"from_bit", &d.from_bit},
+                                                                       {"tension", &d.tension},
+                                                                       {"torque", &d.torque},
+                                                                       {"bending_moment", &d.bending_moment},
+                                                                       {"bending_stress", &d.bending_stress},
+                                                                       {"contact_force", &d.contact_force},
+                                                                       {"contact_side", &d.contact_side},
+                                                                       {"spin_speed", &d.spin_speed},
+                                                                       {"buckling_factor", &d.buckling}};
   for (const auto& [name, values] : arrays)
   {
     if (values->size() != d.size())
       return std::string(name) + " has " + std::to_string(values->size()) + " entries, position " + std::to_string(d.size());
     if (!all_finite(*values)) return std::string(name) + " holds a number that is not finite";
   }
-  if (d.guided.size() != d.size()) return "guided has " + std::to_string(d.guided.size()) + " entries, position " + std::to_string(d.size());
+  if (d.guided.size() != d.size())
+    return "guided has " + std::to_string(d.guided.size()) + " entries, position " + std::to_string(d.size());
   if (!all_finite(d.position)) return "position holds a number that is not finite";
   if (!ascending(d.from_bit)) return "from_bit does not go up the string";
   return {};
@@ -77,15 +85,17 @@ std::string problem_of(const RigData& d)
 {
   if (d.parts.empty()) return "there are no parts";
   for (const PartData& part : d.parts)
-    if (!(part.radius > 0.0 && std::isfinite(part.radius) && part.widest >= part.radius && std::isfinite(part.widest) && part.length >= 0.0 &&
-          std::isfinite(part.length)))
+    if (!(part.radius > 0.0 && std::isfinite(part.radius) && part.widest >= part.radius && std::isfinite(part.widest) &&
+          part.length >= 0.0 && std::isfinite(part.length)))
       return "part " + part.name + " has a diameter or a length that cannot be";
-  if (d.section_bottom.size() != d.section_radius.size()) return "sections have " + std::to_string(d.section_bottom.size()) + " bottoms and " +
-                                                                 std::to_string(d.section_radius.size()) + " diameters";
+  if (d.section_bottom.size() != d.section_radius.size())
+    return "sections have " + std::to_string(d.section_bottom.size()) + " bottoms and " +
+           std::to_string(d.section_radius.size()) + " diameters";
   if (!all_finite(d.section_radius) || !ascending(d.section_bottom)) return "sections do not go down";
   if (!ascending(d.layer_base)) return "layers do not go down";
-  if (d.station_md.size() != d.stations.size()) return "stations have " + std::to_string(d.station_md.size()) + " depths and " +
-                                                       std::to_string(d.stations.size()) + " places";
+  if (d.station_md.size() != d.stations.size())
+    return "stations have " + std::to_string(d.station_md.size()) + " depths and " + std::to_string(d.stations.size()) +
+           " places";
   if (!all_finite(d.stations) || !all_finite(d.plan)) return "a place of the plan is not finite";
   if (!std::isfinite(d.crown_height) || d.crown_height <= 0.0) return "crown_height is not above 0";
   return {};
@@ -97,7 +107,8 @@ std::vector<double> part_bounds(const std::vector<PartData>& parts, double total
   for (std::size_t i = 0; i < parts.size(); ++i)
   {
     const bool last = i + 1 == parts.size();
-    bounds.push_back(last ? std::max(bounds.back(), total_length) : std::min(bounds.back() + parts[i].length, std::max(total_length, 0.0)));
+    bounds.push_back(last ? std::max(bounds.back(), total_length)
+                          : std::min(bounds.back() + parts[i].length, std::max(total_length, 0.0)));
   }
   return bounds;
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SRC_RVIZ_PICTURE_STRING_DATA_H
 #define DRILL_RIG_SIM_SRC_RVIZ_PICTURE_STRING_DATA_H
 
@@ -11,17 +12,19 @@ namespace drill_rig_sim
 /// What DrillstringState says, node by node, bit first; in its units.
 struct StringData
 {
-  std::vector<double> md, from_bit, tension, torque, bending_moment, bending_stress, contact_force, contact_side, spin_speed, buckling;
+  std::vector<double> md, from_bit, tension, torque, bending_moment, bending_stress, contact_force, contact_side, spin_speed,
+      buckling;
   std::vector<std::uint8_t> guided;
   std::vector<Eigen::Vector3d> position;
   std::size_t size() const noexcept { return position.size(); }
 };
 
-/// Why these data cannot be drawn, one line: fewer than two nodes, arrays of different lengths, numbers that are not finite, nodes that do not go up
-/// the string. Empty where they can.
+/// Why these data cannot be drawn, one line: fewer than two nodes, arrays of different lengths, numbers that are not finite,
+/// nodes that do not go up the string. Empty where they can.
 std::string problem_of(const StringData& data);
 
-/// Contact force of each node over the length of string that it stands for, half of the way to each neighbour [N/m]. As problem_of() has passed it.
+/// Contact force of each node over the length of string that it stands for, half of the way to each neighbour [N/m]. As
+/// problem_of() has passed it.
 std::vector<double> side_force(const StringData& data);
 
 enum class PartKind : std::uint8_t
@@ -62,7 +65,8 @@ struct RigData
   double hole_radius(double md) const noexcept;
   /// Index of the rock's layer at a true vertical depth.
   std::size_t layer_at(double tvd) const noexcept;
-  /// Measured depth down to which the hole is drawn as cased: the bottom of the last section but one, for a scene does not say; 0: nothing.
+  /// Measured depth down to which the hole is drawn as cased: the bottom of the last section but one, for a scene does not say;
+  /// 0: nothing.
   double casing_shoe() const noexcept;
 };
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "string_tube.h"
 
 #include <algorithm>
@@ -18,10 +19,12 @@ void add_step(std::vector<OutlinePoint>& outline, double from, double to, double
   outline.insert(outline.end(), {{from - taper, radius}, {from, wide}, {to, wide}, {to + taper, radius}});
 }
 
-void add_part(const PartData& part, double bottom, double top, double bit_to_sleeve, bool joints, std::vector<OutlinePoint>& outline)
+void add_part(const PartData& part, double bottom, double top, double bit_to_sleeve, bool joints,
+              std::vector<OutlinePoint>& outline)
 {
   outline.push_back({bottom, part.radius});
-  if (part.kind == PartKind::mud_motor && bit_to_sleeve > 0.0) add_step(outline, bit_to_sleeve - half_sleeve, bit_to_sleeve + half_sleeve, part.radius, part.widest);
+  if (part.kind == PartKind::mud_motor && bit_to_sleeve > 0.0)
+    add_step(outline, bit_to_sleeve - half_sleeve, bit_to_sleeve + half_sleeve, part.radius, part.widest);
   if (joints && part.kind == PartKind::pipe && part.widest > part.radius && part.joint_length > 2.0)
   {
     const int ends = std::max(0, static_cast<int>(std::ceil((top - box - taper - bottom) / part.joint_length)) - 1);
@@ -36,7 +39,8 @@ void add_part(const PartData& part, double bottom, double top, double bit_to_sle
 
 double radius_at(const std::vector<OutlinePoint>& outline, double s)
 {
-  const auto above = std::upper_bound(outline.begin(), outline.end(), s, [](double x, const OutlinePoint& p) { return x < p.from_bit; });
+  const auto above =
+      std::upper_bound(outline.begin(), outline.end(), s, [](double x, const OutlinePoint& p) { return x < p.from_bit; });
   if (above == outline.begin()) return outline.front().radius;
   if (above == outline.end()) return outline.back().radius;
   const OutlinePoint &a = *(above - 1), &b = *above;
@@ -58,7 +62,8 @@ std::vector<OutlinePoint> outline_of(const RigData& rig, double total_length, bo
   for (std::size_t i = 0; i < rig.parts.size(); ++i)
     if (rig.parts[i].kind != PartKind::bit && bounds[i + 1] > bounds[i])
       add_part(rig.parts[i], bounds[i], bounds[i + 1], rig.bit_to_sleeve, joints, outline);
-  if (outline.empty() && !rig.parts.empty()) outline = {{0.0, rig.parts.front().radius}, {total_length, rig.parts.front().radius}};
+  if (outline.empty() && !rig.parts.empty())
+    outline = {{0.0, rig.parts.front().radius}, {total_length, rig.parts.front().radius}};
   const auto lower = [](const OutlinePoint& a, const OutlinePoint& b) { return a.from_bit < b.from_bit; };
   std::stable_sort(outline.begin(), outline.end(), lower);
   return outline;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SRC_RVIZ_PICTURE_STRING_TUBE_H
 #define DRILL_RIG_SIM_SRC_RVIZ_PICTURE_STRING_TUBE_H
 
@@ -17,8 +18,8 @@ struct OutlinePoint
   double radius = 0.0;
 };
 
-/// The string's radius along it, from the bit's top to `total_length`: bodies, tool joints (two thirds of a metre at each joint's lower end), a
-/// motor's sleeve. Blades are none of it. `joints`: with tool joints.
+/// The string's radius along it, from the bit's top to `total_length`: bodies, tool joints (two thirds of a metre at each joint's
+/// lower end), a motor's sleeve. Blades are none of it. `joints`: with tool joints.
 std::vector<OutlinePoint> outline_of(const RigData& rig, double total_length, bool joints = true);
 
 /// A node as it is drawn.
@@ -38,9 +39,10 @@ public:
 
   /// Where the nodes are drawn.
   static std::vector<DrawnNode> place(const StringData& data, const HoleAxis& axis, double exaggeration);
-  /// The tube's rings, bit first. `values`: what colours each node; `color`: of a value; `thickness`: of the string's own diameter.
-  const std::vector<Ring>& rings(const std::vector<DrawnNode>& nodes, const std::vector<double>& values, const std::function<Color(double)>& color,
-                                 double thickness);
+  /// The tube's rings, bit first. `values`: what colours each node; `color`: of a value; `thickness`: of the string's own
+  /// diameter.
+  const std::vector<Ring>& rings(const std::vector<DrawnNode>& nodes, const std::vector<double>& values,
+                                 const std::function<Color(double)>& color, double thickness);
 
 private:
   struct Place
@@ -55,8 +57,8 @@ private:
   std::vector<Ring> rings_;
 };
 
-/// Where, between nodes, a distance from the bit's face lies, as the lower node and the share of the way to the upper one; beyond the ends the share is
-/// below 0 or above 1. `from_bit`: at least two, ascending.
+/// Where, between nodes, a distance from the bit's face lies, as the lower node and the share of the way to the upper one; beyond
+/// the ends the share is below 0 or above 1. `from_bit`: at least two, ascending.
 struct Between
 {
   std::size_t node = 0;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "tools_picture.h"
 
 #include <algorithm>
@@ -29,14 +30,16 @@ void add_revolution(MeshData& mesh, const std::vector<ProfilePoint>& profile, do
 {
   std::vector<Ring> rings;
   rings.reserve(profile.size());
-  for (const ProfilePoint& p : profile) rings.push_back({p.x * Vector3d::UnitX(), Vector3d::UnitY(), Vector3d::UnitZ(), share * p.radius, color});
+  for (const ProfilePoint& p : profile)
+    rings.push_back({p.x * Vector3d::UnitX(), Vector3d::UnitY(), Vector3d::UnitZ(), share * p.radius, color});
   add_tube(mesh, rings, 24);
   add_disc(mesh, rings.front(), 24, true);
   add_disc(mesh, rings.back(), 24, false);
 }
 }  // namespace
 
-void add_blades(MeshData& mesh, const std::vector<ProfilePoint>& profile, int count, double inner, double turn, double share, const Color& color)
+void add_blades(MeshData& mesh, const std::vector<ProfilePoint>& profile, int count, double inner, double turn, double share,
+                const Color& color)
 {
   const double width = share * two_pi / count, from = profile.front().x, length = profile.back().x - from;
   for (int k = 0; k < count; ++k)
@@ -56,14 +59,16 @@ void add_blades(MeshData& mesh, const std::vector<ProfilePoint>& profile, int co
     }
     const std::size_t last = profile.size() - 1;
     add_face(mesh, corner(0, false, false), corner(0, false, true), corner(0, true, true), corner(0, true, false), of_blade);
-    add_face(mesh, corner(last, true, false), corner(last, true, true), corner(last, false, true), corner(last, false, false), of_blade);
+    add_face(mesh, corner(last, true, false), corner(last, true, true), corner(last, false, true), corner(last, false, false),
+             of_blade);
   }
 }
 
 MeshData bit_mesh(double length, double radius)
 {
   MeshData mesh;
-  const std::vector<ProfilePoint> profile{{-0.70 * length, 0.80 * radius}, {-0.62 * length, radius}, {-0.30 * length, radius}, {-0.15 * length, 0.93 * radius},
+  const std::vector<ProfilePoint> profile{{-0.70 * length, 0.80 * radius}, {-0.62 * length, radius},
+                                          {-0.30 * length, radius},        {-0.15 * length, 0.93 * radius},
                                           {-0.05 * length, 0.70 * radius}, {0.0, 0.35 * radius}};
   add_revolution(mesh, profile, 0.78, core);
   add_blades(mesh, profile, 6, 0.7, 0.5, 0.5, blade);
@@ -74,7 +79,8 @@ MeshData bit_mesh(double length, double radius)
 MeshData stabilizer_mesh(double length, double radius, double widest)
 {
   MeshData mesh;
-  const std::vector<ProfilePoint> profile{{-5.0 / 6.0 * length, radius}, {-0.72 * length, widest}, {-0.28 * length, widest}, {-length / 6.0, radius}};
+  const std::vector<ProfilePoint> profile{
+      {-5.0 / 6.0 * length, radius}, {-0.72 * length, widest}, {-0.28 * length, widest}, {-length / 6.0, radius}};
   add_blades(mesh, profile, 4, 0.95 * std::min(radius / widest, 1.0), 0.8, 0.4, steel);
   return mesh;
 }

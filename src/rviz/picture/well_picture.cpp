@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "well_picture.h"
 
 #include <algorithm>
@@ -11,7 +12,11 @@ using Eigen::Vector3d;
 namespace
 {
 constexpr Color casing{0.50f, 0.56f, 0.62f}, line{0.80f, 0.76f, 0.68f};
-constexpr std::array<Color, 6> rock{{{0.58f, 0.42f, 0.27f}, {0.46f, 0.45f, 0.42f}, {0.62f, 0.53f, 0.26f}, {0.52f, 0.31f, 0.25f}, {0.42f, 0.45f, 0.30f},
+constexpr std::array<Color, 6> rock{{{0.58f, 0.42f, 0.27f},
+                                     {0.46f, 0.45f, 0.42f},
+                                     {0.62f, 0.53f, 0.26f},
+                                     {0.52f, 0.31f, 0.25f},
+                                     {0.42f, 0.45f, 0.30f},
                                      {0.36f, 0.42f, 0.49f}}};
 constexpr float band_opacity = 0.30f;
 constexpr double beyond_end = 1.0;  // of a plan, which goes on straight for so long [m]

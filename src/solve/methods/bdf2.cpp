@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // BDF2 on steps of length h after h_- (ratio r = h / h_-), Hairer, Norsett and Wanner, Solving ODEs I, III.5:
 //   y' = ( (1 + 2 r)/(1 + r) (y - y_n) - r^2/(1 + r) (y_n - y_-) ) / h.
 // With u = y - y_n:  rate = c u - p u_-,  acceleration = c rate - q rate_n + p rate_-,
@@ -22,7 +23,7 @@ struct Coefficients
   double c, p, q;
 
   Coefficients(double step, double ratio)
-    : c((1.0 + 2.0 * ratio) / ((1.0 + ratio) * step)), p(ratio * ratio / ((1.0 + ratio) * step)), q((1.0 + ratio) / step)
+      : c((1.0 + 2.0 * ratio) / ((1.0 + ratio) * step)), p(ratio * ratio / ((1.0 + ratio) * step)), q((1.0 + ratio) / step)
   {
   }
 };

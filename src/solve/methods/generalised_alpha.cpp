@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Generalised alpha (Chung and Hulbert, J. Appl. Mech. 60, 1993) in the form of Arnold and Bruels (Multibody Syst. Dyn. 18,
 // 2007): the equations of motion hold at the ends of the steps, for the true acceleration; the rates follow from an averaged one,
 // a:

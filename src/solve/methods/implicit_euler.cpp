@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Implicit Euler:  rate = u / h,  acceleration = (rate - rate_n) / h.
 #include "drill_rig_sim/solve/methods/method.h"
 
@@ -12,7 +13,15 @@ bool step_implicit_euler(StepContext& context) noexcept
 }
 }  // namespace
 
-const Method implicit_euler = {IntegratorKind::implicit_euler, "implicit_euler", "implicit Euler, first order, L-stable", step_implicit_euler, nullptr, 0, false, nullptr, nullptr};
+const Method implicit_euler = {IntegratorKind::implicit_euler,
+                               "implicit_euler",
+                               "implicit Euler, first order, L-stable",
+                               step_implicit_euler,
+                               nullptr,
+                               0,
+                               false,
+                               nullptr,
+                               nullptr};
 
 void prepare_implicit_euler(const State& state, double step, Stage& stage) noexcept
 {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/solve/methods/method.h"
 
 #include <algorithm>
@@ -66,9 +67,10 @@ void remember_last_rate(const Stage& stage, Workspace& work, State& state) noexc
   PastQuantity& past = state.memory.past[last_rate];
   past.rotor = state.drive.speed;
   if (const HistoryKernel* history = history_of(work))
-    return each_run(stage, static_cast<int>(past.nodes.size()),
-                    [&](Runs::Run run) { history->carry_guided(stage, work, state, run, past.nodes); },
-                    [&](Runs::Run run) { history->carry(work, state, run, past.nodes); });
+    return each_run(
+        stage, static_cast<int>(past.nodes.size()),
+        [&](Runs::Run run) { history->carry_guided(stage, work, state, run, past.nodes); },
+        [&](Runs::Run run) { history->carry(work, state, run, past.nodes); });
   expand_motions(stage, work);
   for (std::size_t i = 0; i < state.nodes.size(); ++i)
   {
@@ -83,9 +85,10 @@ void remember(const Stage& stage, Workspace& work, const NodeQuantity& quantity,
   if (const HistoryKernel* history = history_of(work))
   {
     const Column &along = work.guided.*quantity.along, &about = work.guided.*quantity.about;
-    return each_run(stage, static_cast<int>(past.nodes.size()),
-                    [&](Runs::Run run) { history->split_guided(stage, along, about, run, past.nodes); },
-                    [&](Runs::Run run) { history->split(work, quantity.vector, run, past.nodes); });
+    return each_run(
+        stage, static_cast<int>(past.nodes.size()),
+        [&](Runs::Run run) { history->split_guided(stage, along, about, run, past.nodes); },
+        [&](Runs::Run run) { history->split(work, quantity.vector, run, past.nodes); });
   }
   expand_motions(stage, work);
   for (std::size_t i = 0; i < work.nodes.size(); ++i) past.nodes[i] = split(work.nodes[i], work.nodes[i].*quantity.vector);

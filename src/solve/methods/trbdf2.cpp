@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // TR-BDF2 (Bank et al. 1985; Hosea and Shampine, Appl. Numer. Math. 20, 1996): trapezoidal rule to t + g h, g = 2 - sqrt 2, then
 // BDF2 from t and t + g h to t + h. With u_1, u_2 the increments since t and the same c = 2/(g h) = (2 - g)/((1 - g) h) in both
 // stages,
@@ -16,7 +17,7 @@ namespace drill_rig_sim
 namespace
 {
 
-const double kFirst = 2.0 - std::sqrt(2.0);          // g
+const double kFirst = 2.0 - std::sqrt(2.0);              // g
 const double kWeight = 1.0 / (kFirst * (2.0 - kFirst));  // w
 
 double coefficient(double step)

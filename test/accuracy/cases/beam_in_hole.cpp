@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "beam_in_hole.h"
 
 #include <Eigen/Dense>

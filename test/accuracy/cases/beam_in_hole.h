@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_ACCURACY_BEAM_IN_HOLE_H
 #define DRILL_RIG_SIM_ACCURACY_BEAM_IN_HOLE_H
 
@@ -31,9 +32,9 @@ struct BeamInHole
   Bit bit() const;
 };
 
-/// Directions of the hole that the assembly drills [rad], + towards the high side, one for each piece's length drilled; all pieces have the
-/// same length, a metre of which is drilled in whole pieces. It drills where the bit points and, side_cutting times as well, where it is
-/// pushed: tilt + side_cutting F/W. The hole that it starts in keeps its build.
+/// Directions of the hole that the assembly drills [rad], + towards the high side, one for each piece's length drilled; all
+/// pieces have the same length, a metre of which is drilled in whole pieces. It drills where the bit points and, side_cutting
+/// times as well, where it is pushed: tilt + side_cutting F/W. The hole that it starts in keeps its build.
 std::vector<double> drilled_directions(BeamInHole beam, double side_cutting, int pieces);
 
 }  // namespace drill_rig_sim

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Beams with published or closed-form answers, by every kind of element: a bend in space, roll-up, columns, the vertical pipe.
 #include <cstdio>
 
@@ -30,8 +31,8 @@ Matrix3d hanging(const Quaterniond& first)
 struct BendLoad
 {
   double force;
-  Vector3d converged;            ///< three codes and a shooting solution agree to 1e-4 of the deflection
-  const double* published;       ///< Bathe and Bolourchi 1979, eight elements; null: none
+  Vector3d converged;       ///< three codes and a shooting solution agree to 1e-4 of the deflection
+  const double* published;  ///< Bathe and Bolourchi 1979, eight elements; null: none
 };
 
 const double kPublished300[] = {22.33, 58.84, 40.08}, kPublished600[] = {15.79, 47.23, 53.37};
@@ -64,19 +65,24 @@ void bend_cases(Report& report, const BeamKind& kind, const BendLoad& load)
     const Vector3d tip = bend_tip(kind, count, load.force);
     errors.push_back((tip - load.converged).norm() / deflection);
     const double bound = 8e-3 * 64.0 / (count * count);
-    report.add({name + " " + std::to_string(count) + " elements: tip's error / deflection", errors.back(), 0.0, bound, source, true});
+    report.add(
+        {name + " " + std::to_string(count) + " elements: tip's error / deflection", errors.back(), 0.0, bound, source, true});
     if (count != 8 || !load.published) continue;
     const Vector3d published = Eigen::Map<const Vector3d>(load.published);
-    report.add({name + " 8 elements: distance from the published tip / deflection", (tip - published).norm() / deflection, 0.0, 5e-3,
+    report.add({name + " 8 elements: distance from the published tip / deflection", (tip - published).norm() / deflection, 0.0,
+                5e-3,
                 "Bathe and Bolourchi 1979 with 8 elements; theirs are off the converged tip by " +
-                    text("%.2g", (published - load.converged).norm() / deflection), true});
+                    text("%.2g", (published - load.converged).norm() / deflection),
+                true});
   }
-  report.add_band(name + ": observed order from 8 to 32 elements", 0.5 * std::log2(errors[0] / errors[2]), 1.8, 3.0, "second order in the element's length");
+  report.add_band(name + ": observed order from 8 to 32 elements", 0.5 * std::log2(errors[0] / errors[2]), 1.8, 3.0,
+                  "second order in the element's length");
 }
 
 /// M = 2 pi E I/L times `circles` rolls a cantilever up. The cubic holds an element's tilts for small: an angle theta
-/// between its ends is off by up to theta^3/5, either way as its shear stiffness decides, so it takes more of them. The interpolated rotations have the curvature exactly, and the polygon closes.
-/// G J is that of a tube, 0.8 E I: with G J = E I the closed ring may turn out of its plane, its tangent is singular.
+/// between its ends is off by up to theta^3/5, either way as its shear stiffness decides, so it takes more of them. The
+/// interpolated rotations have the curvature exactly, and the polygon closes. G J is that of a tube, 0.8 E I: with G J = E I the
+/// closed ring may turn out of its plane, its tangent is singular.
 void roll_up_case(Report& report, const BeamKind& kind, double circles, int count, double bound)
 {
   const double length = 10.0, bending = 1e6, angle = 2.0 * pi * circles, axial = 1e4 * bending / (length * length);
@@ -86,7 +92,8 @@ void roll_up_case(Report& report, const BeamKind& kind, double circles, int coun
   load_in_steps(chain, static_cast<int>(std::ceil(0.25 * circles * count)) + 12,
                 [&](BeamChain& c, double part) { c.tip().moment.z() = part * angle * bending / length; });
   const Vector3d exact = length / angle * Vector3d(std::sin(angle), 1.0 - std::cos(angle), 0.0);
-  const std::string name = text("cantilever rolled to %g circles ", circles) + kind.name + " " + std::to_string(count) + " elements: ";
+  const std::string name =
+      text("cantilever rolled to %g circles ", circles) + kind.name + " " + std::to_string(count) + " elements: ";
   report.add({name + "tip's error / L", (chain.tip().position - exact).norm() / length, 0.0, bound, "M = E I kappa", true});
   report.add({name + "end rotation [rad]", turned_about_z(chain), angle, bound, "M = E I kappa"});
 }
@@ -131,14 +138,15 @@ void column_cases(Report& report, const BeamKind& kind, int count)
                {"clamped-clamped", {StraightColumn::clamped, StraightColumn::guided}, 4.0}};
   for (const auto& c : cases)
   {
-    const double force = critical_load([&](double f) { return c.column.loaded(kind, count, f); }, 0, 0.5 * c.factor * euler, 2.0 * c.factor * euler);
-    report.add({std::string("column ") + c.name + " " + kind.name + " " + std::to_string(count) + " elements: P / (pi^2 E I/L^2)", force / euler,
-                c.factor, 1e-2, "Euler"});
+    const double force = critical_load([&](double f) { return c.column.loaded(kind, count, f); }, 0, 0.5 * c.factor * euler,
+                                       2.0 * c.factor * euler);
+    report.add({std::string("column ") + c.name + " " + kind.name + " " + std::to_string(count) + " elements: P / (pi^2 E I/L^2)",
+                force / euler, c.factor, 1e-2, "Euler"});
   }
 }
 
-/// Lubinski's (1950) power series of the weighted column, in his dimensionless units: y''' = x y' + c, x up from the neutral point, both
-/// ends hinged, at -weight and `above`. Zero at a critical weight.
+/// Lubinski's (1950) power series of the weighted column, in his dimensionless units: y''' = x y' + c, x up from the neutral
+/// point, both ends hinged, at -weight and `above`. Zero at a critical weight.
 double lubinski_determinant(double weight, double above)
 {
   Matrix3d m;
@@ -176,8 +184,8 @@ double lubinski_root(double low, double high, double above)
   return low;
 }
 
-/// 5 x 4.276 in, 19.5 lb/ft, steel of 30e6 psi, in mud of 10 ppg. The critical weights fall with the logarithm of the pipe's length: for
-/// Lubinski's first one, 1.94 w m, it is hinged six units of m above the neutral point.
+/// 5 x 4.276 in, 19.5 lb/ft, steel of 30e6 psi, in mud of 10 ppg. The critical weights fall with the logarithm of the pipe's
+/// length: for Lubinski's first one, 1.94 w m, it is hinged six units of m above the neutral point.
 void vertical_pipe_cases(Report& report, const BeamKind& kind, double element_length)
 {
   const double inch = 0.0254, outer = 5.0 * inch, inner = 4.276 * inch, young = 206.84e9, above = 6.0;
@@ -192,9 +200,11 @@ void vertical_pipe_cases(Report& report, const BeamKind& kind, double element_le
   const std::string name = std::string("vertical pipe ") + kind.name + text(" elements of %g m: ", element_length);
   const double first = critical(0, 1.0, 3.0), second = critical(1, 3.0, 5.0);
   report.add({name + "first critical weight [N]", first, 8050.0, 1e-2, "Lubinski 1950: 1.94 w m"});
-  report.add({name + "first critical weight / (w m)", first / weight, lubinski_root(1.0, 3.0, above), 1e-2, "Lubinski's series in double precision"});
+  report.add({name + "first critical weight / (w m)", first / weight, lubinski_root(1.0, 3.0, above), 1e-2,
+              "Lubinski's series in double precision"});
   report.add({name + "second critical weight / (w m)", second / weight, lubinski_root(3.0, 5.0, above), 1e-2,
-              "Lubinski's series in double precision; his own 3.75 is no root of it for this pipe: it would have to reach 40 m-units up where the "
+              "Lubinski's series in double precision; his own 3.75 is no root of it for this pipe: it would have to reach 40 "
+              "m-units up where the "
               "first is 1.6"});
 }
 }  // namespace

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A motor with a bent housing of 1.75 deg that slides: the build rate at which it keeps to its path, bit on bottom, 60 deg of
 // inclination, hole of 8.5 in. The assembly and a table of build rates against weight on bit and the bit's steerability (side
 // cutting) come from the published MADSim model.
@@ -133,8 +134,8 @@ struct Slide
   double build = 0.0;   // [rad/m]
   double curved = 0.0;  // [m]
   double weight = 0.0;  // on bit [N]
-  /// Stiffness of the wall; 0: a scene's default. Here so stiff that its embedding, micrometres, is no clearance: at 0.03 mm the short lever from bit to blade
-  /// makes it 50 lbf.
+  /// Stiffness of the wall; 0: a scene's default. Here so stiff that its embedding, micrometres, is no clearance: at 0.03 mm the
+  /// short lever from bit to blade makes it 50 lbf.
   double wall = 1e13;
 };
 
@@ -192,8 +193,8 @@ double drift(const std::vector<PartSpec>& parts, const Slide& slide, double stee
 {
   const PieceInHole piece = settled(parts, slide);
   const NodeState& bit = piece.state.nodes[0];
-  const Eigen::Vector3d velocity = rock_breaking_velocity(piece.model->formation().at(0.0), piece.forces.rock_force,
-                                                          1.0, x_axis(bit.orientation), steerability);
+  const Eigen::Vector3d velocity = rock_breaking_velocity(piece.model->formation().at(0.0), piece.forces.rock_force, 1.0,
+                                                          x_axis(bit.orientation), steerability);
   return velocity.normalized().dot(high_side(piece.state.well.locate(bit.position, -1).tangent));
 }
 
@@ -227,7 +228,8 @@ BeamInHole beam_of(const Assembly& assembly, const Slide& slide)
     for (int k = 0; k < 4; ++k)
     {
       const double middle = (top + 0.25 * row[2] * (k + 0.5)) * kFoot;
-      beam.pieces.push_back({0.25 * row[2] * kFoot, bending, shear, weight, clearance, 0.0, middle < slide.curved ? slide.build : 0.0});
+      beam.pieces.push_back(
+          {0.25 * row[2] * kFoot, bending, shear, weight, clearance, 0.0, middle < slide.curved ? slide.build : 0.0});
     }
     top += row[2];
     if (std::abs(top - kBendAt) < 1e-6) beam.pieces.back().bend = kBend;
@@ -244,8 +246,8 @@ void with_the_defaults_wall(Report& report, const std::vector<PartSpec>& parts)
     Slide slide{14.0 * kRate, curved, 20e3 * kPoundForce};
     const double rigid = side_force(settled(parts, slide));
     slide.wall = 0.0;
-    report.add({std::string("bent motor: bit side force at the default's wall in ") + (curved == kJoint ? "slide of 31 ft" : "endless arc") +
-                    " of 14 deg/100 ft at 20 klbf [lbf]",
+    report.add({std::string("bent motor: bit side force at the default's wall in ") +
+                    (curved == kJoint ? "slide of 31 ft" : "endless arc") + " of 14 deg/100 ft at 20 klbf [lbf]",
                 side_force(settled(parts, slide)) / kPoundForce, rigid / kPoundForce, 0.05, "the same at a rigid wall"});
   }
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Pipe pushed into a straight hole without friction: 5 in x 4.276 in, 19.5 lb/ft, in a hole of 8.5 in and mud of 10 ppg.
 //
 // With w the weight in mud per length across the hole, r the radial clearance, EI the bending stiffness, F the compression:

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Steady drilling with a drag bit by the law of Detournay and Defourny (1992), by hand: the winch sets the rate of penetration,
 // the top drive the bit's speed, and with them the depth of cut per revolution d = 2 pi ROP/N. Then, a the bit's radius,
 //   torque  T = epsilon a^2 d/2 + mu_gamma a W_f/2,    weight  W = W_f + zeta epsilon a d,

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The energy balance of scenes: closure, and numerical dissipation at the scene's step, at half and at a quarter of it.
 #include <algorithm>
 #include <cmath>
@@ -17,10 +18,11 @@ namespace drill_rig_sim
 {
 namespace
 {
-constexpr double kClosure = 0.5;    // of the throughput [%]
-constexpr double kNumerical = 5.0;  // [%]
+constexpr double kClosure = 0.5;     // of the throughput [%]
+constexpr double kNumerical = 5.0;   // [%]
 constexpr double kCorrection = 0.5;  // [%]: what walls and bottom that move under touching parts may add or take
-/// Below this share the numerical dissipation need not fall any more: Newton's tolerance, 1e-6 m of up to 1e7 N/m, leaves some [%].
+/// Below this share the numerical dissipation need not fall any more: Newton's tolerance, 1e-6 m of up to 1e7 N/m, leaves some
+/// [%].
 constexpr double kFloor = 1e-3;
 
 struct EnergyCase
@@ -60,7 +62,8 @@ EnergyAccounts balance_of(Scene scene, double duration, double step)
   return simulator.energy();
 }
 
-/// The main job from a centimetre above the bottom, at its feed: the bit touches lightly and leans on the wall while the weight grows.
+/// The main job from a centimetre above the bottom, at its feed: the bit touches lightly and leans on the wall while the weight
+/// grows.
 Scene tag_of_the_main_job()
 {
   Scene scene = read_scene(in_source("config/scenes/bohai.yaml"));

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The program behind ./test/accuracy/run: runs groups of cases, all of them unless some are named.
 //   --fast         the short ones that need no data but their own
 //   --fast-data    the short ones that need ../shared/data

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "piece_in_hole.h"
 
 #include "drill_rig_sim/scene/scene_mesh.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_ACCURACY_PIECE_IN_HOLE_H
 #define DRILL_RIG_SIM_ACCURACY_PIECE_IN_HOLE_H
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The reference against motions known exactly, and the default stepper against the reference.
 #include <cmath>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_ACCURACY_REPORT_H
 #define DRILL_RIG_SIM_ACCURACY_REPORT_H
 
@@ -11,11 +12,11 @@ namespace drill_rig_sim
 /// One figure of ours beside one that somebody else computed or derived.
 struct CaseLine
 {
-  std::string name;     ///< with the unit, no comma: "tip z at P 300 N [in]"
+  std::string name;  ///< with the unit, no comma: "tip z at P 300 N [in]"
   double ours = 0.0;
   double published = 0.0;
-  double bound = 0.0;   ///< on |ours - published| / |published|; or, if `absolute`, on |ours - published|
-  std::string source;   ///< paper, equation or derivation; no comma
+  double bound = 0.0;  ///< on |ours - published| / |published|; or, if `absolute`, on |ours - published|
+  std::string source;  ///< paper, equation or derivation; no comma
   bool absolute = false;
 };
 
@@ -41,8 +42,8 @@ private:
   int skipped_ = 0;
 };
 
-/// When a group is run: short ones (seconds at most) are part of ./test/run, those that need ../shared/data apart from the rest, so
-/// that they show as skipped where it is absent.
+/// When a group is run: short ones (seconds at most) are part of ./test/run, those that need ../shared/data apart from the rest,
+/// so that they show as skipped where it is absent.
 enum class When
 {
   fast,
@@ -53,7 +54,7 @@ enum class When
 /// A file of cases that belong together.
 struct CaseGroup
 {
-  const char* name;     ///< as on the command line
+  const char* name;  ///< as on the command line
   When when;
   void (*run)(Report&);
 };

@@ -1,9 +1,10 @@
-// Sliding with a bent motor, drilled by the simulator step by step, against a hole that a beam-column of our own drills: at every 10 cm it
-// asks for the bit's tilt and side force and goes on in the direction that they and the side cutting give. And, where sleeve and stabiliser
-// in full gauge fix the motor, against the circle through three points.
+// SPDX-License-Identifier: BSD-3-Clause
+// Sliding with a bent motor, drilled by the simulator step by step, against a hole that a beam-column of our own drills: at every
+// 10 cm it asks for the bit's tilt and side force and goes on in the direction that they and the side cutting give. And, where
+// sleeve and stabiliser in full gauge fix the motor, against the circle through three points.
 //
-// Both know the same weight on bit. The beam-column knows neither friction nor torque; here the hole's friction is low and so is the bit's,
-// or reactive torque would turn the bend away from the high side.
+// Both know the same weight on bit. The beam-column knows neither friction nor torque; here the hole's friction is low and so is
+// the bit's, or reactive torque would turn the bend away from the high side.
 #include <stdexcept>
 #include <string>
 
@@ -126,11 +127,13 @@ BeamInHole beam_of(const Scene& scene, const Slide& slide, double weight)
 
 double beam_column_rate(const Scene& scene, const Slide& slide, double weight)
 {
-  const std::vector<double> along = drilled_directions(beam_of(scene, slide, weight), slide.side_cutting, std::lround(kLast / kPiece));
+  const std::vector<double> along =
+      drilled_directions(beam_of(scene, slide, weight), slide.side_cutting, std::lround(kLast / kPiece));
   return (along.back() - along[static_cast<std::size_t>(std::lround(kFirst / kPiece)) - 1]) / (kLast - kFirst);
 }
 
-/// Through the bit's gauge, the sleeve at a and the blades at b above it, all in full gauge, the bend at x: 2 bend (b - x)/(b (b - a)).
+/// Through the bit's gauge, the sleeve at a and the blades at b above it, all in full gauge, the bend at x: 2 bend (b - x)/(b (b
+/// - a)).
 double three_point_rate(const Scene& scene, const Slide& slide)
 {
   const double a = slide.sleeve - kRadius, b = scene.string[0].length + slide.motor + 0.5 - kRadius;
@@ -149,8 +152,8 @@ void sliding_cases(Report& report)
     report.add({name + ": build rate [deg/30 m]", ours.build / kRate, beam_column_rate(scene, slide, ours.weight) / kRate, 0.10,
                 "hole drilled by a Timoshenko beam-column of the tests"});
     if (slide.sleeve > 0.0)
-      report.add({name + ": build rate by its geometry [deg/30 m]", ours.build / kRate, three_point_rate(scene, slide) / kRate, 0.10,
-                  "circle through three points"});
+      report.add({name + ": build rate by its geometry [deg/30 m]", ours.build / kRate, three_point_rate(scene, slide) / kRate,
+                  0.10, "circle through three points"});
   }
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Stick-slip: one degree of freedom against its closed form.
 #include <algorithm>
 #include <cmath>

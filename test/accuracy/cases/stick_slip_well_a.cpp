@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Off-bottom stick-slip of a published well: friction along the wall alone stops and frees the string.
 //
 // Aarsnes and Shor 2018, their synthetic case, as their program computes it (figures by rerunning it):
@@ -200,9 +201,9 @@ std::pair<double, double> turning_torque(const RigAtRest& rig, double md)
   for (int i = 0; i + 1 < rig.model->nodes(); ++i)
   {
     const ClosestPoint closest = state.well.locate(state.nodes[i].position, state.nodes[i].segment);
-    const double torque =
-        closest.friction * (forces.contact[i] * rig.model->mesh().nodes[i].contact_radius +
-                            forces.span_contact[i] * 0.5 * rig.model->mesh().elements[static_cast<std::size_t>(i)].outer_diameter);
+    const double torque = closest.friction *
+                          (forces.contact[i] * rig.model->mesh().nodes[i].contact_radius +
+                           forces.span_contact[i] * 0.5 * rig.model->mesh().elements[static_cast<std::size_t>(i)].outer_diameter);
     all += torque;
     if (closest.md < md) above += torque;
   }

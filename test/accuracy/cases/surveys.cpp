@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Surveys of real wells and standard well paths against the positions listed beside them.
 #include <algorithm>
 #include <cmath>
@@ -51,7 +52,8 @@ double worst_difference(const ListedWell& well)
   const Survey survey(well.stations);
   double worst = 0.0;
   for (int i = 0; i < survey.size(); ++i)
-    worst = std::max(worst, (survey.station(i).position - (well.positions[static_cast<std::size_t>(i)] - well.positions[0])).norm());
+    worst =
+        std::max(worst, (survey.station(i).position - (well.positions[static_cast<std::size_t>(i)] - well.positions[0])).norm());
   return worst;
 }
 
@@ -74,7 +76,8 @@ ListedWell in_feet(const ListedWell& well)
   out << "Station;Measured Depth (ft);Incl. (deg);Azimuth Grid (deg)\n";
   int number = 0;
   for (const SurveyStation& s : well.stations)
-    out << ++number << ';' << with_comma(s.md / 0.3048) << ';' << with_comma(s.inclination / degree) << ';' << with_comma(s.azimuth / degree) << '\n';
+    out << ++number << ';' << with_comma(s.md / 0.3048) << ';' << with_comma(s.inclination / degree) << ';'
+        << with_comma(s.azimuth / degree) << '\n';
   out.close();
   return {read_survey_file(file).stations, well.positions};
 }
@@ -82,8 +85,11 @@ ListedWell in_feet(const ListedWell& well)
 
 void survey_cases(Report& report)
 {
-  const std::pair<const char*, bool> files[] = {
-      {"iscwsa/wells.csv", true}, {"ullrigg/u1.csv", false}, {"ullrigg/u3.csv", false}, {"ullrigg/u4.csv", false}, {"ullrigg/u5.csv", false}};
+  const std::pair<const char*, bool> files[] = {{"iscwsa/wells.csv", true},
+                                                {"ullrigg/u1.csv", false},
+                                                {"ullrigg/u3.csv", false},
+                                                {"ullrigg/u4.csv", false},
+                                                {"ullrigg/u5.csv", false}};
   double feet_and_metres = 0.0;
   for (const auto& file : files)
   {
@@ -102,11 +108,13 @@ void survey_cases(Report& report)
         for (SurveyStation& s : well.stations)
           if (s.md > 499.0 && s.md < 901.0 && s.md != 750.0) s.azimuth = 2.0 * pi - s.azimuth;
       }
-      report.add({"survey " + std::string(file.second ? "iscwsa " : "") + name + ": worst station [m]", worst_difference(well), 0.0, 0.05, source, true});
+      report.add({"survey " + std::string(file.second ? "iscwsa " : "") + name + ": worst station [m]", worst_difference(well),
+                  0.0, 0.05, source, true});
       feet_and_metres = std::max(feet_and_metres, std::abs(worst_difference(in_feet(well)) - worst_difference(well)));
     }
   }
-  report.add({"surveys in feet between semicolons: change of the worst station [m]", feet_and_metres, 0.0, 1e-6, "the same positions", true});
+  report.add({"surveys in feet between semicolons: change of the worst station [m]", feet_and_metres, 0.0, 1e-6,
+              "the same positions", true});
 }
 
 }  // namespace drill_rig_sim

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Pick-up, slack-off, rotating weight and torque of strings in curved holes: closed forms and a published well.
 //
 // The simulator's string is stiff and leans on its contact points; the textbooks' is soft, and two things differ by design:
@@ -116,10 +117,10 @@ void capstan(Report& report)
   const RigAtRest rig = build_at_rest(scene);
   const double load = standard_gravity * scene.string[0].bit->mass;
   const char* const source = "T exp(mu theta): Euler; Eytelwein";
-  report.add({"capstan: pulled over two bends [N]", simulated(rig, sliding_up).hook_load, load * std::exp(mu * turned),
-              0.002, source});
-  report.add({"capstan: lowered over two bends [N]", simulated(rig, sliding_down).hook_load, load * std::exp(-mu * turned),
-              0.002, source});
+  report.add(
+      {"capstan: pulled over two bends [N]", simulated(rig, sliding_up).hook_load, load * std::exp(mu * turned), 0.002, source});
+  report.add({"capstan: lowered over two bends [N]", simulated(rig, sliding_down).hook_load, load * std::exp(-mu * turned), 0.002,
+              source});
   report.add({"capstan: torque of turning [N m]", simulated(rig, sliding_around).torque,
               mu / std::sqrt(1.0 + mu * mu) * 0.5 * pipe_outer * load * turned, 0.002, "mu r T theta with N = S/sqrt(1 + mu^2)"});
 }

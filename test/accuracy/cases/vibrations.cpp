@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Free vibrations of hanging strings, torsional and axial, against their wave equations.
 //
 // The string hangs in its hole, clear of the wall and without damping, from a top drive and a drill line that do not give way

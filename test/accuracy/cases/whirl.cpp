@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A collar that rolls on the wall of its hole without slip. Its axis circles the hole's axis with radius rho = (D - d)/2 and rate
 // Omega, its surface is at rest at the contact: Omega rho + omega d/2 = 0, hence Omega = -omega d/(D - d): backward whirl.
 #include <algorithm>

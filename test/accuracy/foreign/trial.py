@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Scenes from outside, by an author who knew neither the rules of level auto nor the operations matrix: is the default right, or does it say in time that it
 may not be?
 

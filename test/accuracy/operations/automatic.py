@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Level auto on the operations matrix: does it meet the tolerances asked for, and what does it cost beside the cheapest setting by hand that does.
 
 Only cells count whose reference knows its own error to a third of the tolerance. By hand: a search over level, mesh and step, cheapest first, up to

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The cells of the operations matrix: wells, strings, what is done with them. A cell is one scene.
 
 Wells are ordinary, not chosen for what the simulator does well; operations are those of a day on the rig, with their usual speeds.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Runs cells of the operations matrix, with the default numerics and with a reference's, and says how far they are apart.
 
 A run that is wrong is warned where its `accuracy_warnings` came before the error passed the bound, else silent.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The operations matrix as a command: makes references, judges, writes table and chart."""
 import collections
 import os

@@ -1,5 +1,7 @@
-// The display Drillstring and the tool Probe in a view of their own, with a string whose numbers are known: a vertical one, hung at the table, its bit at
-// 1000 m. Along it every number grows steadily with the distance from the bit, so that a place tells what must be shown there.
+// SPDX-License-Identifier: BSD-3-Clause
+// The display Drillstring and the tool Probe in a view of their own, with a string whose numbers are known: a vertical one, hung
+// at the table, its bit at 1000 m. Along it every number grows steadily with the distance from the bit, so that a place tells
+// what must be shown there.
 #include <gtest/gtest.h>
 #include <nav_msgs/Path.h>
 #include <ros/ros.h>
@@ -151,7 +153,8 @@ protected:
   void look_at(double md)
   {
     rviz::ViewController* view = manager_->getViewManager()->getCurrent();
-    dynamic_cast<rviz::VectorProperty*>(view->subProp("Focal Point"))->setVector(Ogre::Vector3(0.0f, 0.0f, static_cast<float>(-md)));
+    dynamic_cast<rviz::VectorProperty*>(view->subProp("Focal Point"))
+        ->setVector(Ogre::Vector3(0.0f, 0.0f, static_cast<float>(-md)));
     view->subProp("Distance")->setValue(40.0f);
     view->subProp("Pitch")->setValue(0.0f);
     view->subProp("Yaw")->setValue(1.5708f);
@@ -256,10 +259,12 @@ TEST_F(Display, EveryColouringHasItsUnitScaleAndColour)
   for (const auto& one : all)
   {
     display_->subProp("Coloured by")->setValue(one.name);
-    EXPECT_TRUE(wait_until([&] { return status("Colours") == one.legend; })) << one.name << ": " << status("Colours").toStdString();
+    EXPECT_TRUE(wait_until([&] { return status("Colours") == one.legend; }))
+        << one.name << ": " << status("Colours").toStdString();
     wait_until([] { return false; }, 1.0);
     const QColor seen = picture(QString(one.name).replace(' ', '_')).pixelColor(width / 2, height / 2);
-    const Color wanted = QString(one.name) == "level of model" ? drill_rig_sim::level_color(0.0) : ColorScale(one.low, one.high).at(one.value);
+    const Color wanted =
+        QString(one.name) == "level of model" ? drill_rig_sim::level_color(0.0) : ColorScale(one.low, one.high).at(one.value);
     // light makes all three darker alike
     const float most = std::max({wanted.r, wanted.g, wanted.b});
     const double most_seen = std::max({seen.redF(), seen.greenF(), seen.blueF()});

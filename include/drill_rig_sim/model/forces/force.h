@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_MODEL_FORCES_FORCE_H
 #define DRILL_RIG_SIM_MODEL_FORCES_FORCE_H
 
@@ -18,12 +19,15 @@ inline Eigen::Map<Vector6d> at_node(EnergySample& sample, NodeForce kind, int i)
   return at_node(sample.force[static_cast<std::size_t>(kind)].data(), i);
 }
 
-/// Where forces are added up: the residual, six numbers a node, and unless it is not asked for the tangent. Each node takes six numbers, whatever
-/// its level: what acts on a guided node is then brought down to its two coordinates (forces/guided_string.h).
+/// Where forces are added up: the residual, six numbers a node, and unless it is not asked for the tangent. Each node takes six
+/// numbers, whatever its level: what acts on a guided node is then brought down to its two coordinates (forces/guided_string.h).
 class ForceRows
 {
 public:
-  ForceRows(Workspace& work, double* residual, BlockTridiagonal* tangent) noexcept : work_(work), residual_(residual), tangent_(tangent) {}
+  ForceRows(Workspace& work, double* residual, BlockTridiagonal* tangent) noexcept
+      : work_(work), residual_(residual), tangent_(tangent)
+  {
+  }
 
   /// What resists the motion of node i, to be added to: force and moment, world axes [N, N m].
   Eigen::Map<Vector6d> force(int i) const noexcept
@@ -65,8 +69,8 @@ enum class Sum
   contact,  ///< wall, rock and what else touches
 };
 
-/// A force: one law with all that belongs to it, in a file of its own and a line of the list of all (lists.h). It acts alike on free and guided nodes:
-/// it reads their motion by StageContext::node() and adds to ForceRows.
+/// A force: one law with all that belongs to it, in a file of its own and a line of the list of all (lists.h). It acts alike on
+/// free and guided nodes: it reads their motion by StageContext::node() and adds to ForceRows.
 struct Force
 {
   using Add = void (*)(const StageContext& at, const ForceRows& to) noexcept;

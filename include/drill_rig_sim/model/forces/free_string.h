@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_MODEL_FORCES_FREE_STRING_H
 #define DRILL_RIG_SIM_MODEL_FORCES_FREE_STRING_H
 
@@ -5,8 +6,8 @@
 
 namespace drill_rig_sim
 {
-/// The forces `beams`, `mud_drag` and `inertia` of all free nodes in one, several elements at a time: by the workspace's batch kernel, at its columns; only
-/// moved_in_batches().
+/// The forces `beams`, `mud_drag` and `inertia` of all free nodes in one, several elements at a time: by the workspace's batch
+/// kernel, at its columns; only moved_in_batches().
 void add_free_string(const StageContext& at, const ForceRows& to) noexcept;
 /// The part of find_string_forces() that is the free elements'.
 void find_free_forces(const StageContext& at) noexcept;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Text of the guided string's laws (guided_string.h) for numbers of type V, behind contact/friction_text.h. V2: along the hole
 // and about it. No include guard: it is another text for each V.
 

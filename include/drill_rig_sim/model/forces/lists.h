@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_MODEL_FORCES_LISTS_H
 #define DRILL_RIG_SIM_MODEL_FORCES_LISTS_H
 
@@ -31,30 +32,18 @@ struct ForceList
   const Force* const* end() const noexcept { return last; }
 };
 
-/// All forces, at all levels, in dynamics and in statics. A new force is a file and a line here, between `beams` and `guided_string`.
-/// Order: beams first, they write the tangent's blocks; the bit behind the wall, whose force it reads; the guided string behind all that acts on its
-/// nodes; the rail last, it overwrites rows. Sums are rounded in this order, to the last digit.
+/// All forces, at all levels, in dynamics and in statics. A new force is a file and a line here, between `beams` and
+/// `guided_string`. Order: beams first, they write the tangent's blocks; the bit behind the wall, whose force it reads; the
+/// guided string behind all that acts on its nodes; the rail last, it overwrites rows. Sums are rounded in this order, to the
+/// last digit.
 inline constexpr std::array<const Force*, 16> force_table = {
-    &beams,
-    &mud_drag,
-    &inertia,
-    &squeeze_film,
-    &wall,
-    &span_wall,
-    &guided_gauge,
-    &bit_on_bottom,
-    &stuck_point,
-    &slips,
-    &pads,
-    &place_drag,
-    &hoisting,
-    &top_drive,
-    &guided_string,
-    &guide_rail,
+    &beams,       &mud_drag, &inertia, &squeeze_film, &wall,     &span_wall, &guided_gauge,  &bit_on_bottom,
+    &stuck_point, &slips,    &pads,    &place_drag,   &hoisting, &top_drive, &guided_string, &guide_rail,
 };
 inline constexpr ForceList all_forces = {force_table.data(), force_table.data() + force_table.size()};
 
-/// evaluate() (&Force::add) or evaluate_static() (&Force::add_static) with these forces instead of all: tests and trials of a new one.
+/// evaluate() (&Force::add) or evaluate_static() (&Force::add_static) with these forces instead of all: tests and trials of a new
+/// one.
 void evaluate_forces(const ForceList& forces, Force::Add Force::*use, const StageContext& at, const double* u, double* residual,
                      BlockTridiagonal* tangent) noexcept;
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_MODEL_FORCES_MUD_DRAG_H
 #define DRILL_RIG_SIM_MODEL_FORCES_MUD_DRAG_H
 
@@ -5,8 +6,9 @@
 
 namespace drill_rig_sim
 {
-/// Drag of the mud on the nodes below the rotary table. Linear in the rates, by the mud's viscosity or its `..._damping` keys (mud_damping.h).
-/// Across the string also 1/2 rho C_d D L |v| v (Morison's drag), C_d `mud.drag_coefficient`, D the outer diameter.
+/// Drag of the mud on the nodes below the rotary table. Linear in the rates, by the mud's viscosity or its `..._damping` keys
+/// (mud_damping.h). Across the string also 1/2 rho C_d D L |v| v (Morison's drag), C_d `mud.drag_coefficient`, D the outer
+/// diameter.
 extern const Force mud_drag;
 
 }  // namespace drill_rig_sim

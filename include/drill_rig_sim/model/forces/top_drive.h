@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_MODEL_FORCES_TOP_DRIVE_H
 #define DRILL_RIG_SIM_MODEL_FORCES_TOP_DRIVE_H
 
@@ -5,8 +6,8 @@
 
 namespace drill_rig_sim
 {
-/// The torque meter on the string's top, its rotor and motor condensed (rig/top_drive.h). The shaft points down: spin is clockwise
-/// looking downhole, a turn about -z.
+/// The torque meter on the string's top, its rotor and motor condensed (rig/top_drive.h). The shaft points down: spin is
+/// clockwise looking downhole, a turn about -z.
 extern const Force top_drive;
 
 /// What the rotor has turned since the start of the step when the top node has moved by the six numbers `u` [rad].

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_MODEL_KERNELS_HISTORY_KERNEL_H
 #define DRILL_RIG_SIM_MODEL_KERNELS_HISTORY_KERNEL_H
 
@@ -12,8 +13,8 @@ namespace drill_rig_sim
 struct NodeMotion;
 struct NodeRate;
 
-/// Factors of a sum of the rates at the start of the step, the last rates and the second quantity of the method's memory. All are in the
-/// axes of the step (in_step_axes()).
+/// Factors of a sum of the rates at the start of the step, the last rates and the second quantity of the method's memory. All are
+/// in the axes of the step (in_step_axes()).
 struct RateFactors
 {
   double now, last, second;

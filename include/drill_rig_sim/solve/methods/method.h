@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef DRILL_RIG_SIM_SOLVE_METHODS_METHOD_H
 #define DRILL_RIG_SIM_SOLVE_METHODS_METHOD_H
 
@@ -45,8 +46,8 @@ struct Method
   int first_acceleration;
   /// A step with a local error above largest_local_error is repeated in halves.
   bool refines;
-  /// Local error of the node positions in the step just solved, largest component [m]. Null: a sixth of the distance of the solution
-  /// from the extrapolation, as for BDF2.
+  /// Local error of the node positions in the step just solved, largest component [m]. Null: a sixth of the distance of the
+  /// solution from the extrapolation, as for BDF2.
   double (*local_error)(const StepContext& context) noexcept;
   /// Local error of the step over the distance of its solution from the extrapolation predict(). `ratio`: step over the previous
   /// step, 0 without memory. Null: steps of variable length are not available.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Alarms above all: what lasts, and red ones until they are acknowledged; with a shape, not by colour alone.
 import { byId, make } from "./dom.js";
 import { send } from "./link.js";

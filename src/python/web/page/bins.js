@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A log in equal steps of time or depth: least, mean and largest of each signal, null where there is none. The same as bins.py has it.
 export class BinLog {
   constructor() {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The broomstick chart: hook load over depth by theory, and the weights that the run has shown on it.
 import { axisOf, curveOf, dropChart, makeChart } from "./chart_base.js";
 import { byId, make, setText } from "./dom.js";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What all charts share: colours of the theme, plain axes, and two plugins of Chart.js: bands across a chart, and envelopes from least to largest.
 import { colour } from "./dom.js";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Control by hand, where drill web was started with --control. The block moves while a button is held: dead-man.
 import { byId, make } from "./dom.js";
 import { inputBox } from "./input_box.js";

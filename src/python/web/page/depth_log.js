@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The depth log: what was seen while new hole was made, downwards by measured depth.
 import { axisOf, curveOf, dropChart, makeChart, pointsOf, trackAxis } from "./chart_base.js";
 import { byId, colour, make } from "./dom.js";

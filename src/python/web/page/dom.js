@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Elements in few words.
 export function byId(id) {
   return document.getElementById(id);

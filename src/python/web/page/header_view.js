@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The top line: whether the rig is heard, simulated time and speed, what is under way; units, theme, print.
 import { byId, setText } from "./dom.js";
 import { on, store } from "./store.js";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A box for a set point: it follows what is in force until it is edited; an edited one is marked, Enter applies it, Escape takes it back.
 import { make, setText } from "./dom.js";
 import { shownText, unitOf } from "./units.js";

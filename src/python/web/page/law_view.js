@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The package's autodriller: set points that start it, that it follows, and a button that stops it; which loop leads.
 import { make, setText } from "./dom.js";
 import { inputBox } from "./input_box.js";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The web socket to the bridge; where it is lost it is opened again and again.
 import { take } from "./store.js";
 

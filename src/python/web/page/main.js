@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Puts the page together: what is built once, what is drawn again when data, units or theme change.
 import { buildAlarms } from "./alarms_view.js";
 import { resizeCharts } from "./chart_base.js";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Eight large numbers with their limits, set points and extremes of the last seconds.
 import { byId, make, setText } from "./dom.js";
 import { fieldOf, on, store } from "./store.js";

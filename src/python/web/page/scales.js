@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The scale of each signal: it holds its ends while the run stays within them and grows by round steps; a person may fix them.
 import { roundUp, SLACK } from "./chart_base.js";
 import { fieldOf, store } from "./store.js";

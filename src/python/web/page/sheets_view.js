@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Sheets as tables: tally and connections, slides, the log of alarms.
 import { byId, fillTable, make } from "./dom.js";
 import { store } from "./store.js";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What has come of a run, by the type of its message; views are told when a type has come.
 import { BinLog } from "./bins.js";
 

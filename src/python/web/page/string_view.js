@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Forces along the string against measured depth, with what bounds them: yield and buckling load, make-up torque.
 import { axisOf, curveOf, dropChart, makeChart, pointsOf, roundUp } from "./chart_base.js";
 import { byId, make } from "./dom.js";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The time log, downwards: tracks with fixed scales, and a bar of what the rig does.
 import { axisOf, curveOf, dropChart, gridOnly, makeChart, pointsOf, trackAxis } from "./chart_base.js";
 import { byId, colour, make } from "./dom.js";

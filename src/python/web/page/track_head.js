@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The head of a track: each curve's name, unit and the ends of its scale, which a click changes.
 import { make, setText } from "./dom.js";
 import { fixScale, isFixed } from "./scales.js";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Numbers as they are shown, in the system of units that was chosen; everything else is in SI.
 import { store } from "./store.js";
 

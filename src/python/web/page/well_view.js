@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The well: from above, in section through the target, and its deviation from plan against depth.
 import { axisOf, curveOf, dropChart, makeChart, pointsOf } from "./chart_base.js";
 import { byId, make } from "./dom.js";

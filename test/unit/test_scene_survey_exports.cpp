@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Exports of surveys as programs of the trade write them, and what is refused in them.
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "survey_reading.h"
+
+namespace drill_rig_sim::test_scene_survey_exports
+{
+using namespace survey_reading;
+
+namespace
+{
+struct Export
+{
+  const char* what;
+  const char* text;
+  int stations;
+  double md, inclination, azimuth;  // of the last station [m, deg, deg]
+};
+
+struct RefusedExport
+{
+  const char* what;
+  const char* text;
+  const char* said;
+};
+}  // namespace
+
+TEST(SceneSurvey, ExportsOfTheTrade)
+{
+  const std::vector<Export> exports = {
+      {"Compass",
+       "Company:,ACME\nNorth Reference:,Grid\n\nMD,Inc,Azi "
+       "(azimuth),TVD,+N/-S,+E/-W,DLS\n(ft),(\xc2\xb0),(\xc2\xb0),(ft),(ft),(ft),(\xc2\xb0/"
+       "100ft)\n0.00,0.00,0.00,0.00,0.00,0.00,0.00\n"
+       "1000.00,10.00,45.00,994.93,61.55,61.55,1.00\n",
+       2, 304.8, 10.0, 45.0},
+      {"Excel, decimal commas",
+       "sep=;\r\n\"MD [m]\";\"Incl [\xc2\xb0]\";\"Azi "
+       "[\xc2\xb0]\"\r\n\"0,0\";\"0,0\";\"0,0\"\r\n\"1500,25\";\"10,5\";\"45,25\"\r\n;;\r\n",
+       2, 1500.25, 10.5, 45.25},
+      {"tabs, empty columns at the end", "MD (m)\tInc (deg)\tAzi (deg)\t\t\n0\t0\t0\t\t\n500\t10\t45\t\t\n", 2, 500.0, 10.0,
+       45.0},
+      {"comments", "# a\nMD (m),Inc (deg),Azi (deg)\n0,0,0\n! b\n// c\n500,10,45\n% d\n", 2, 500.0, 10.0, 45.0},
+      {"corrected azimuth", "MD (m),Inc (deg),Corrected Azimuth (deg)\n0,0,0\n500,10,45\n", 2, 500.0, 10.0, 45.0},
+      {"drift", "Survey Depth (ft),Drift Angle (deg),Drift Azimuth (deg)\n0,0,0\n1000,10,45\n", 2, 304.8, 10.0, 45.0},
+      {"degrees, minutes, seconds",
+       "MD (m),Azi (deg),Inc (deg)\n0,0,0\n500,45\xc2\xb0"
+       "30'18\",10\xc2\xb0"
+       "15'\n",
+       2, 500.0, 10.25, 45.505},
+      {"the same in quotes",
+       "MD (m),Inc (deg),Azi (deg)\n0,0,0\n500,10,\"45\xc2\xb0"
+       "30'18\"\"\"\n",
+       2, 500.0, 10.0, 45.505},
+      {"bearings", "MD (m),Inc (deg),Azi (deg)\n0,0,N0E\n400,9,S45.5W\n500,10,N 10\xc2\xb0 30' W\n", 3, 500.0, 10.0, 349.5},
+      {"a bearing to the south-east", "MD (m);Inc (deg);Azi (deg)\n0;0;0\n500;10;S45,5E\n", 2, 500.0, 10.0, 134.5},
+      {"360 and negative", "MD (m),Inc (deg),Azi (deg)\n0,0,360\n500,10,-10\n", 2, 500.0, 10.0, -10.0},
+      {"rising", "MD (m),Inc (deg),Azi (deg)\n0,0,0\n500,0,0\n1000,90,45\n1500,100,45\n", 4, 1500.0, 100.0, 45.0},
+      {"the tie-in line", "MD (m),Inc (deg),Azi (deg),Comment\n0,0,0,Tie-in\n500,10,45,MWD\n", 2, 500.0, 10.0, 45.0},
+  };
+  for (const Export& e : exports)
+  {
+    SCOPED_TRACE(e.what);
+    const SurveyTable table = read(e.text);
+    ASSERT_EQ(e.stations, static_cast<int>(table.stations.size()));
+    expect_station(table.stations.back(), e.md, e.inclination, e.azimuth);
+  }
+}
+
+TEST(SceneSurvey, ExportsThatAreRefused)
+{
+  const std::vector<RefusedExport> exports = {
+      {"bearing of no quadrant", "MD (m),Inc (deg),Azi (deg)\n0,0,0\n500,10,N95E\n", ":3: Azi (deg): must be a finite number"},
+      {"half a bearing", "MD (m),Inc (deg),Azi (deg)\n0,0,0\n500,10,N45\n", ":3: Azi (deg): must be a finite number"},
+      {"bearing for inclination", "MD (m),Inc (deg),Azi (deg)\n0,0,0\n500,N10E,45\n", ":3: Inc (deg): must be a finite number"},
+      {"bearing in radians", "MD (m),Inc (rad),Azi (rad)\n0,0,0\n500,0.1,N45E\n", ":3: Azi (rad): must be a finite number"},
+      {"61 minutes",
+       "MD (m),Inc (deg),Azi (deg)\n0,0,0\n500,10,45\xc2\xb0"
+       "61'\n",
+       ":3: Azi (deg): must be a finite number"},
+      {"degrees by blanks", "MD (m),Inc (deg),Azi (deg)\n0,0,0\n500,10,45 30 00\n", ":3: Azi (deg): must be a finite number"},
+      {"another unit", "MD (fathom),Inc (deg),Azi (deg)\n0,0,0\n0.5,10,45\n",
+       ":1: MD (fathom): the unit in brackets is not known, allowed: m, mm, cm, km, ft, in, ftUS, or a map"},
+      {"names in two lines", "Measured Vertical\nDepth Inc Azi Depth\n(ft) (deg) (deg) (ft)\n0 0 0 0\n",
+       ":2: measured depth: appears more than once in the header"},
+      {"from the bottom up", "MD (m),Inc (deg),Azi (deg)\n600,12,45\n500,10,45\n0,0,0\n",
+       ":3: station 2: md 500 m is not deeper than the station before it, 600 m: the stations are listed from the bottom up"},
+      {"out of order", "MD (m),Inc (deg),Azi (deg)\n0,0,0\n500,10,45\n400,8,45\n600,12,45\n",
+       ":4: station 3: md 400 m is not deeper than the station before it, 500 m"},
+      {"twice, and different", "MD (m),Inc (deg),Azi (deg)\n0,0,0\n500,10,45\n500,10.2,45\n",
+       ":4: station 3: md 500 m is not deeper than"},
+      {"above the table", "MD (m),Inc (deg),Azi (deg)\n0,0,0\n100,0,0\n400,90,45\n1500,170,45\n", "above the rotary table"},
+      {"a line below", "MD (m),Inc (deg),Azi (deg)\n0,0,0\n500,10,45\nEnd of survey\n",
+       ":4: MD (m): must be a finite number (got text)"},
+  };
+  for (const RefusedExport& e : exports) EXPECT_TRUE(holds(refusal(e.text), e.said)) << e.what << ": " << refusal(e.text);
+}
+}  // namespace drill_rig_sim::test_scene_survey_exports
