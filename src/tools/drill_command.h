@@ -55,6 +55,7 @@ Command add_verify_command(CLI::App& drill);
 Command add_reference_command(CLI::App& drill);
 Command add_web_command(CLI::App& drill);
 Command add_fmu_command(CLI::App& drill);
+Command add_live_command(CLI::App& drill);
 
 }  // namespace drill_rig_sim
 

@@ -31,7 +31,7 @@ class CommandLine(test_drill.Drill):
         self.assertIn('\n  check', done.stderr)
 
     def test_unknown_commands_and_options_are_told_with_what_is_allowed(self):
-        self.assert_told(['dig', QUICK], "drill: 'dig' is not a command, allowed: run, check, static, modes, survey, score, plot, replay, weights, calibrate, verify, reference, web or fmu")
+        self.assert_told(['dig', QUICK], "drill: 'dig' is not a command, allowed: run, check, static, modes, survey, score, plot, replay, weights, calibrate, verify, reference, web, fmu or live")
         self.assert_told(['--fast'], 'drill: --fast: unknown option; see drill --help')
         self.assert_told(['check', QUICK, '--fast=3'], 'drill check: --fast: unknown option; see drill check --help')
         self.assert_told(['run', QUICK, '-x'], 'drill run: -x: unknown option')

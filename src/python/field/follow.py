@@ -53,19 +53,26 @@ class Follow:
     def __init__(self, record, rig):
         """RecordError where the record's connections do not go with the rig's joints of pipe."""
         self.name, self.rig = record.name, rig
+        self.take(record)
+        self.clock = [0.0]  # the record's, at the rig's start and after each step; not a number while it waits [s]
+        self.k, self.begin, self.done, self.farthest = 0, None, False, 0.0
+        self.work, self.depth, self.began, self.off, self.refused = None, 0.0, 0.0, 0.0, ""
+
+    def take(self, record):
+        """What is worked out of the record."""
         self.times = self.period * numpy.arange(int(record.time[-1] / self.period) + 2)
         self.stands = standstills(record)
-        heights = heights_of(record, self.stands, rig)
-        self.way = numpy.interp(self.times, record.time, heights)
-        self.drum = drum_course(record, self.stands, heights, rig)
+        self.heights = heights_of(record, self.stands, self.rig)
+        self.way = numpy.interp(self.times, record.time, self.heights)
+        self.drum = drum_course(record, self.stands, self.heights, self.rig)
         self.course = self.drum(self.times)
         middle = self.times + 0.5 * self.period
         self.speed = record.at("top_drive_speed", middle) if "top_drive_speed" in record else None
         self.flow = numpy.maximum(record.at("flow", middle), 0.0) if "flow" in record else None
-        self.connections = connections_of(record, self.stands, rig.joint_length, self.period)
-        self.clock = [0.0]  # the record's, at the rig's start and after each step; not a number while it waits [s]
-        self.k, self.begin, self.done, self.farthest = 0, None, False, 0.0
-        self.work, self.depth, self.began, self.off, self.refused = None, 0.0, 0.0, 0.0, ""
+        self.connections = self.connections_in(record)
+
+    def connections_in(self, record):
+        return connections_of(record, self.stands, self.rig.joint_length, self.period)
 
     def step(self, readings):
         self.begin = self.rig.drum_height - self.course[0] if self.begin is None else self.begin
@@ -98,7 +105,7 @@ class Follow:
         """Commands while the rig adds pipe or takes it away and brings the bit to where it then is in the record; None once that is done."""
         if self.work is None:
             self.work, self.began, self.off = PipeWork(self.period, readings.t, readings.hook_load_string, connection.doing), readings.t, 0.0
-            self.depth = readings.bit_depth + self.way[connection.leave] - self.way[connection.back]
+            self.depth = self.depth_after(readings, connection)
         self.refused = readings.refused or self.refused
         if readings.t > self.began + PATIENCE:
             raise RecordError("%s: at %.1f s the scene's rig refuses the connection of the record: %s" % (self.name, self.times[self.k], self.refused))
@@ -110,6 +117,10 @@ class Follow:
         if abs(self.off) < self.placed or self.off * before < 0.0:  # there, or beyond
             return None
         return Commands(float(numpy.clip(self.off / self.to_place_in, -self.to_place, self.to_place)))
+
+    def depth_after(self, readings, connection):
+        """Where the bit belongs after a connection [m]; `readings`: before it."""
+        return readings.bit_depth + self.way[connection.leave] - self.way[connection.back]
 
     def unresolved(self, record, times, loads):
         """Of the hook load, what the sampling of the record leaves unknown, root mean square and largest [N]. Where the speed changes, half of the change is unknown
