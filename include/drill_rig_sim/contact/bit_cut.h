@@ -12,8 +12,8 @@
 ///   delta = u(t) - u(t - t_n),   phi(t) - phi(t - t_n) = 2 pi/n,   depth of cut per turn d = n delta,
 ///   W = W_c + W_f,  W_c = zeta epsilon a d,   T = a W_c/(2 zeta) + mu gamma (a/2) W_f.
 /// In steady drilling d = 2 pi v/N, so that the mean law v = K N (W - F_0) is its mean with 1/K = 2 pi a zeta epsilon and W_f =
-/// F_0: the scene's drillability and threshold are its one input, and the weight's stiffness is W_c = n/(2 pi K) delta. Where the
-/// bit is above all that is left (delta < 0) there is no contact. Sources: Richard, Germay, Detournay, A simplified model to
+/// F_0: the scene's drillability and threshold are its one input, and the weight's stiffness is W_c = n/(2 pi K) delta. If
+/// delta < 0, the bit is above the rock, and there is no contact. Sources: Richard, Germay, Detournay, A simplified model to
 /// explore the root cause of stick-slip vibrations in drilling systems with drag bits, J. Sound Vib. 305 (2007), 432-456;
 /// Besselink, van de Wouw, Nijmeijer, J. Comput. Nonlinear Dyn. 6 (2011), 021006.
 ///

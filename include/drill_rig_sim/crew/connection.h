@@ -12,16 +12,16 @@
 /// Pipe that is added to the string, or taken away, while it rests in the slips.
 ///
 /// The slips grip a joint's end at the rotary table. What is above it up to the shaft, the stump, stays on the top drive: a short
-/// piece, for the last part fills up to the block. A connection breaks the string there, and joints go in between or come out.
+/// piece, for the last part fills up to the block. A connection breaks the string there and adds or removes joints.
 /// The string below is what it was, node by node; while it is broken out it goes on resting in the slips, and hook load, torque
 /// and block height are those of a block that runs by itself: a quarter of the time to break out, half of it to run, a quarter to
 /// make up, all of them smooth.
 namespace drill_rig_sim
 {
-constexpr double most_rest_load =
-    10e3;  ///< what the pipe above the slips may pull when it is broken out, and what the lines have to carry [N]
+/// Largest pull of the pipe above the slips at break-out, and least load of the lines [N].
+constexpr double most_rest_load = 10e3;
 constexpr unsigned most_joints = 12;     ///< of one connection
-constexpr double most_slips_load = 5e3;  ///< what the slips may bear when they are pulled [N]
+constexpr double most_slips_load = 5e3;  ///< largest load on the slips when they are pulled [N]
 
 /// The string that a rig has at present.
 struct StringBuilt

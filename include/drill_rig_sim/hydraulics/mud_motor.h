@@ -13,8 +13,8 @@
 /// Steady: w_ss = N_0 (1 - (T/T_stall)^b), N_0 = 2 pi Q/V, dp = 2 pi T/V: the pressure across the motor does the work of the
 /// torque, slip takes the rest of the flow's. A motor with friction inside has dp = 2 pi T/(e V), e its mechanical efficiency:
 /// callers give e V for V in dp. Q flow, V displacement per revolution of the bit, T torque on rotor and bit; b 3 to 5 for power
-/// sections as their makers draw them. Beyond stall the curve goes on along its tangent: a rotor that the string drags round
-/// backwards carries little more than T_stall. A flow below the leakage, whose pressure is not enough for the torque, does not
+/// sections as in curves of manufacturers. Beyond stall the curve continues along its tangent: a rotor turned backwards by the
+/// string carries little more than T_stall. A flow below the leakage, whose pressure is not enough for the torque, does not
 /// turn it: it is locked, and has its speed from twice the leakage on. So T w is never more than dp Q. The speed follows with a
 /// time constant of 0.05 s (inertia of the rotor, compressibility of the mud in it); with that lag the speed is known at the
 /// start of a step and torque and speed are not coupled within it. The steady state is untouched.

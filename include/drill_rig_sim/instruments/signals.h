@@ -50,7 +50,7 @@ struct ToolfaceReading
   }
 };
 
-/// The inclination between surveys, by the accelerometers alone.
+/// Inclination between surveys, from the accelerometers only.
 struct InclinationReading
 {
   std::uint64_t sequence = 0;
@@ -82,10 +82,10 @@ enum class CrewTask
   lowering     ///< to where the bit was
 };
 
-/// The same in a word; empty for none.
+/// Name of the task; empty for none.
 const char* text_of(CrewTask task) noexcept;
 
-/// What a tool of dynamics has measured over an interval (dynamics_tool.h).
+/// Measurements of a dynamics tool over an interval (dynamics_tool.h).
 struct DynamicsReading
 {
   std::uint64_t sequence = 0;

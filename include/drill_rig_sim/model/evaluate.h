@@ -26,23 +26,22 @@ void evaluate(const Model& model, const State& start, const Stage& stage, const 
 void evaluate_static(const Model& model, const State& start, const Stage& stage, const double* u, Workspace& work,
                      double* residual, BlockTridiagonal* tangent) noexcept;
 
-/// After a solution u: all results of evaluate() there, without the string's own forces, inertia and tangent, which nobody asks
-/// for.
+/// After a solution u: all results of evaluate() there, except the string's own forces, inertia and tangent.
 void update(const Model& model, const State& start, const Stage& stage, const double* u, Workspace& work) noexcept;
 
-/// Writes the accepted stage's places and rates into `state`, which may be the start itself.
+/// Writes positions and rates of the accepted stage into `state`, which may be the start state.
 void commit(const Stage& stage, const Workspace& work, State& state) noexcept;
-/// The one place where bristles, hoist, drive, motor, rock and the clock move on; after commit(). The hole is extended by the
-/// rock-breaking velocity times the step, or by what the stage knows of its bottom.
+/// Advances bristles, hoist, drive, motor, rock and clock; nothing else does. Call it after commit(). It extends the hole by
+/// the rock-breaking velocity times the step, or by the motion stored in the stage.
 void advance_discrete(const Model& model, const Stage& stage, Workspace& work, State& state) noexcept;
-/// Torque that the mud's pressure over the motor carries: the rotor's, of a locked one that at which it stalls [N m]. Needs a
+/// Torque that the pressure drop of the motor carries [N m]: that of the rotor; of a locked rotor, the stall torque. Needs a
 /// motor.
 double motor_load(const Model& model, const State& state) noexcept;
 /// Pump, mud and flow over a step [s], ahead of the string's: the flow of the step that comes, against the torque of the step
 /// before.
 /// @param commanded  of the pump [m3/s]
 void advance_mud(const Model& model, double commanded, double step, State& state) noexcept;
-/// The same in statics: bristles alone.
+/// The same in statics: advances only bristles.
 void advance_static(const Workspace& work, State& state) noexcept;
 
 /// Vector of an old section normal's tangent plane, carried to the new one by the node's tilt.
@@ -79,8 +78,8 @@ struct GivenNode
   Vector6d rate;       ///< velocity and angular velocity, world axes [m/s, rad/s]
 };
 
-/// A motion that somebody else integrates. `stage` of the calls below: its dv_du, motor, bottom, time, and the normals at the
-/// start of the step are looked at.
+/// Motion of the string that the caller integrates. `stage` of the calls below: its dv_du, motor, bottom, time and
+/// the normals at the start of the step are used.
 struct GivenMotion
 {
   std::vector<GivenNode> nodes;
@@ -95,7 +94,7 @@ struct GivenMotion
 void evaluate_motion(const Model& model, const State& start, const Stage& stage, const GivenMotion& motion, Workspace& work,
                      double* string, double* contact, BlockTridiagonal* string_tangent,
                      BlockTridiagonal* contact_tangent) noexcept;
-/// Row 0 of `contact` alone.
+/// Only row 0 of `contact`.
 Vector6d evaluate_bit_motion(const Model& model, const State& start, const Stage& stage, const GivenNode& bit,
                              Workspace& work) noexcept;
 

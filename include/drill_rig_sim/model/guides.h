@@ -29,7 +29,7 @@ struct State;
 struct Stage;
 struct Workspace;
 
-/// What holds during a step of a node that is guided.
+/// Constants of a guided node during a step.
 struct Guide
 {
   Eigen::Vector3d tangent;                                  ///< t of the hole, down it
@@ -45,7 +45,7 @@ struct Guide
   double stribeck_speed, static_ratio, stiffness, damping;  ///< of the friction, as of WallLaw
 };
 
-/// And of the element between two guided nodes.
+/// Constants of an element between two guided nodes during a step.
 struct GuidedSpan
 {
   double axial, torsion;  ///< EA/L, GJ/L [N/m, N m/rad]
@@ -208,14 +208,14 @@ struct GuidedMotions
 void settle_in_hole(State& state, std::size_t i) noexcept;
 /// Gives a span the twist that its ends have.
 void settle_span(State& state, std::size_t e) noexcept;
-/// Both, of all guided nodes and the spans between them: after somebody has placed them in six coordinates.
+/// Both for all guided nodes and spans. Call it after the nodes were placed in six coordinates.
 void settle_guided(State& state) noexcept;
 
 /// Length of the guided string between nodes e and e + 1 [m]: of the line in which it lies, that of the hole's axis and what the
 /// sides add or take. A string on the inside of a bend is shorter by clearance times angle.
 double guided_length(const State& state, std::size_t e) noexcept;
 
-/// What the scene alone says of all nodes and elements, once they are guided.
+/// Fills the constants of guided nodes and elements that depend only on the scene.
 void prepare_guides(const Model& model, Stage& stage);
 
 /// Takes the state's guided nodes into the stage; its loads, normals and free stretches must be there.

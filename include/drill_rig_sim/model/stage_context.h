@@ -19,8 +19,8 @@ struct StageContext
   const Stage& stage;
   Workspace& work;
 
-  /// How node i moves at the stage, whether it is free or guided. Of the hole around it only a free node knows
-  /// (NodeMotion::closest, touches).
+  /// How node i moves at the stage, whether it is free or guided. `closest` and `touches` of NodeMotion are set only for free
+  /// nodes.
   const NodeMotion& node(int i) const noexcept
   {
     if (!work.motion_known[static_cast<std::size_t>(i)]) move_as_free(*this, i);

@@ -10,9 +10,9 @@
 /// n sheaves in the travelling block, 2 n lines between crown and block. Strung length L = 2 n (crown_height - block_height) +
 /// fixed_length, unstretched length of the same line L_0; tension T = E A (L - L_0) / L_0, never negative (slack); hook force 2 n
 /// T. Line and sheaves have no mass. Friction of the sheaves shifts tension from line to line, and leaves their sum as it is:
-/// what the lines have stretched in all is given by drum and block. So it shows in the dead line's reading, and rubs on the drum;
-/// what hinders the block is its guide rail. What lines and sheaves lose when they are stretched, as where the block rings on
-/// them, is a damper beside the lines' spring.
+/// what the lines have stretched in all is given by drum and block. So it changes the reading of the dead line and the load of
+/// the drum; friction on the block is that of its rail. A damper beside the lines' spring stands for losses of lines and sheaves
+/// when the block vibrates.
 namespace drill_rig_sim
 {
 struct HoistingSpec
@@ -79,9 +79,8 @@ struct LineDamper
 };
 LineDamper line_damper(const HoistingSpec& spec, const LinePull& pull, double block_velocity, double winch_speed) noexcept;
 
-/// Friction of the block on its rail, for a step from `deflection` [m] of what holds it. A record of the field: a block of 66 t
-/// moves up at 40 kN more than down, a twentieth of that with the load (a North Sea rig): +-3 % of the block's weight, whatever
-/// hangs on it.
+/// Friction of the block on its rail. `deflection`: of the bristle at the start of the step [m]. Default: +-3 % of the block's
+/// weight, whatever the load, as in the record of a North Sea rig, whose block of 66 t needs 40 kN more up than down.
 DampedBristle rail_bristle(const HoistingSpec& spec, double deflection) noexcept;
 
 /// Stops stop_clearance beyond lowest_block_height and highest_block_height, p beyond which the block is pushed back with k p (1
@@ -129,10 +128,10 @@ struct WinchStep
 WinchStep advance_winch(const HoistingSpec& spec, const WinchSetpoint& command, double line_length, double speed,
                         double block_height, double hook_load, double step) noexcept;
 
-/// A brake that holds no more than `most` [N] at the block, on a drum without inertia: where more hangs on it line runs out, so
-/// that the lines carry `most` and the rest sinks, (W - most)/m for a rigid string of weight W and mass m. L_0 at the end of the
-/// step, from the block's height and velocity at its start: max(L_0, L_0 that carries `most` at height + velocity step). Off by
-/// the block's acceleration within the step alone, stiffness a step^2/2.
+/// A brake that holds at most `most` [N] at the block, on a drum without inertia. With a larger load line runs out: the lines
+/// carry `most`, and the load accelerates downwards by (W - most)/m for a rigid string of weight W and mass m. L_0 at the end of
+/// the step, from the block's height and velocity at its start: max(L_0, L_0 that carries `most` at height + velocity step). Off
+/// by the block's acceleration within the step alone, stiffness a step^2/2.
 double slipping_line(const HoistingSpec& spec, double line_length, double block_height, double block_velocity, double most,
                      double step) noexcept;
 

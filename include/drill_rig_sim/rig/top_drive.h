@@ -22,17 +22,17 @@
 ///   and Nessjoen 2009).
 /// TORQUE: tau = T*, held off where it would push the speed beyond +-max_speed: k_p (-w_max - w) <= tau <= k_p (w_max - w).
 /// Saturation: |tau| <= torque limit, and |tau w| <= max_power with w at the start of the step.
-/// Anti-windup: while saturated i moves only so far as it does not lead deeper into saturation; what it holds never exceeds the
-/// limit. In TORQUE i follows the motor's torque, k_i i = tau; between loops of other gains it is set so that tau goes on: so a
-/// change of mode takes over without a bump.
+/// Anti-windup: while saturated, i changes only if that does not increase the saturation; k_i i never exceeds the limit. In
+/// TORQUE i follows the motor's torque, k_i i = tau; between loops of other gains it is set so that tau goes on: so a change of
+/// mode takes over without a bump.
 ///
 /// Friction: Coulomb's, carried by a damped bristle z as at the wall (contact/wall_contact.h), so that what it holds does not
 /// creep:
 ///   q = k_g (z + u) + c_g w,   f = -q while |q| <= f_max, else -f_max sign(q), and z goes to -f/k_g over c_g/k_g.
 /// f_max is the gearbox's, and the brake's with it while the brake is on: by command, and by itself in SPEED at a set point of 0
-/// once the rotor stands, in ANGLE once it stands where it should; then it stays on as long as the set point does. The brake
-/// takes the motor off, tau = 0, and what the integral held over into its bristle; k_i i = f then: neither takes over with a
-/// bump.
+/// once the rotor stands, in ANGLE once it stands where it should; then it stays on as long as the set point does. With the
+/// brake on, tau = 0, and the bristle of the brake takes over the torque of the integral; on release k_i i = f. Both changes
+/// are without a jump.
 ///
 /// The rotor is condensed out of the stage: all branches are affine and fall with the rotor's angle, hence one solution, in
 /// closed form.

@@ -9,7 +9,7 @@
 
 namespace drill_rig_sim
 {
-/// The string's loads that its elements or its walls do not represent: the largest of the first kind of these that occurs.
+/// Loads of the string that elements or wall cannot represent. Returns the largest of the first kind that occurs.
 /// - Confined: guided pipe carries more than 0.8 of its critical buckling load (string_watch.h).
 /// - Compression: two cubic elements carry the half wave into which pipe in a hole buckles, pi sqrt(2 E I/P), so an element of
 /// length L

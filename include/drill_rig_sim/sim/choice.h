@@ -8,7 +8,7 @@
 
 namespace drill_rig_sim
 {
-/// What `numerics.level: auto` comes to: keys that could have been given instead, and why.
+/// Result of `numerics.level: auto`: the keys that it replaces, and the reason.
 struct Choice
 {
   Level level = Level::beam3d;
@@ -17,7 +17,8 @@ struct Choice
   double guided_element_length = 0.0;  ///< [m]
 };
 
-/// The cheapest level and mesh that keep the scene's needs within its tolerance, by rules that the operations matrix has taught
+/// The cheapest level and mesh that keep the outputs in `needs` within the tolerance, by rules derived from the operations
+/// matrix
 /// (98 cells of a minute, errors over the outputs' ranges; test/accuracy/README.md, levels):
 /// - beam3d in a hole that turns by more than 3 rad in all: turns multiply friction (exp(mu theta), the capstan), and with it
 /// guided pipe's errors.
@@ -28,8 +29,8 @@ struct Choice
 ///   the needs: hybrid. Where pipe begins to turn on the low side of a hole, guided pipe is 1 to 3 % off in these two.
 /// - Else beam3d; below 2 %, with quarter joints where friction pushes the pipe, and below 0.5 % eighths.
 /// From 5 % on two joints of a stand of guided pipe that nothing pushes, neither friction nor heavier pipe above it, are one
-/// element. What is given by hand of step, element_length, pushed_element_length, guided_element_length and free_length stays. A
-/// method that knows free nodes alone has beam3d.
+/// element. What is given by hand of step, element_length, pushed_element_length, guided_element_length and free_length stays.
+/// With a method that works only with free nodes, the level is beam3d.
 Choice choose(const Scene& scene);
 
 /// The scene with that choice made in its keys, where its level is auto, and with a step and a companion (chosen_companion())

@@ -7,8 +7,8 @@
 #include "drill_rig_sim/model/state.h"
 #include "drill_rig_sim/scene/fault_spec.h"
 
-/// What goes wrong on a rig. A fault lives in the state, so that snapshots hold it; each kind is there once, and asked for again
-/// it is the one asked for last.
+/// Faults of a rig. They are part of the state, so that snapshots hold them. Each kind can be active once: a second request
+/// replaces the first.
 ///
 /// - stuck_pipe: the formation grips the pipe at a place (forces/stuck_point.h).
 /// - differential_sticking, pack_off: drags at a place (forces/place_drag.h); a pack-off holds mud back in the annulus too,
@@ -32,12 +32,12 @@ namespace drill_rig_sim
 /// most, or the uppermost in the hole; the shaft is never gripped. `bit_depth`: of the bit's face [m MD]. Needs pipe in the hole
 /// at `md`.
 void stick_pipe(const Model& model, double bit_depth, double md, State& state) noexcept;
-/// It lets go.
+/// Releases the stuck pipe.
 void free_pipe(State& state) noexcept;
 
-/// A fault of the mechanics begins, one that nothing is wrong with (crew/refusals.h).
+/// Begins a mechanical fault, which must be valid (crew/refusals.h).
 void begin(const Model& model, double bit_depth, const Fault& fault, State& state) noexcept;
-/// And ends; nothing happens where there is none.
+/// Ends it; without such a fault it does nothing.
 void end(FaultKind kind, State& state) noexcept;
 /// Those under way, a bit for each FaultKind: of the mechanics, of a gauge.
 std::uint32_t active_faults(const State& state) noexcept;

@@ -26,7 +26,8 @@ public:
   /// The next step does not start where the last one ended: opens the balance anew.
   void restart() noexcept;
 
-  /// Takes over another string's accounts: what the next step starts with beyond what they ended with is booked as handled.
+  /// Continues the accounts of another string. The energy difference at the next start is booked as `handled` (pipe added or
+  /// removed).
   void go_on_from(const EnergyBalance& before) noexcept;
 
   const EnergyAccounts& accounts() const noexcept { return accounts_; }

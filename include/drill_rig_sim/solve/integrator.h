@@ -45,7 +45,7 @@ public:
   Profiler& profiler() noexcept { return work_.profiler; }
   Work& work() noexcept { return work_.work; }
   const StepperCounters& counters() const noexcept { return counters_; }
-  /// Counts on where another one ended: this one goes on with a string that has been lengthened.
+  /// Continues the counters of `before`, after a change of the string's length.
   void count_on_from(const Integrator& before) noexcept
   {
     counters_ = before.counters_;

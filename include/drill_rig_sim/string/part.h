@@ -113,7 +113,7 @@ struct StiffnessSpec
   double torsional = 0.0;  ///< G J [N m2]
 };
 
-/// One entry of the `string` list; entries go from the bit up. What only its type has is there for that type alone.
+/// One entry of the `string` list; entries go from the bit up. Optional members are set only for the type that has them.
 struct PartSpec
 {
   std::string name;

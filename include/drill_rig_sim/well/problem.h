@@ -8,7 +8,7 @@
 
 namespace drill_rig_sim
 {
-/// What is wrong with one value of what a user asked for.
+/// An invalid value of an input.
 struct Problem
 {
   std::string key;   ///< its place in the scene, as the scene file's keys name it: "well.sections[1].to"
