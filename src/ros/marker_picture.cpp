@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "drill_rig_sim/math/units.h"
+#include "drill_rig_sim/math/viridis.h"
 #include "drill_rig_sim/ros/conversions.h"
 
 namespace drill_rig_sim
@@ -31,11 +32,11 @@ const std_msgs::ColorRGBA bit_color = color(0.1, 0.5, 1.0), force_color = color(
                           block_color = color(0.9, 0.75, 0.1), tube_color = color(0.80, 0.56, 0.32, 0.45),
                           station_color = color(0.95, 0.95, 0.95);
 
-// From lime through yellow to red; no shade of it is an axis' green.
+// The light part of the scale: the string is thin, and seen through the wall of its hole.
 std_msgs::ColorRGBA graded(double share)
 {
-  const double x = std::clamp(share, 0.0, 1.0);
-  return color(std::min(1.0, 0.55 + 0.9 * x), std::min(0.95, 1.9 * (1.0 - x)), 0.1);
+  const Rgb shade = viridis(0.4 + 0.6 * std::clamp(share, 0.0, 1.0));
+  return color(shade[0], shade[1], shade[2]);
 }
 
 const std::vector<double>& quantity(const StringProfile& profile, ColorQuantity which)

@@ -25,8 +25,9 @@ README_PICTURE = os.path.join(PACKAGE_DIR, "test", "accuracy", "pictures", "rviz
 
 
 def is_marked_string(r, g, b):
-    """Lime through yellow to orange, saturated, seen through the hole's wall; an axis is pure red or green."""
-    return max(r, g) > 85 and b < 0.35 * max(r, g) and r > 0.3 * g and g > 0.2 * r
+    """Teal through green to yellow, seen through the hole's brown wall; an axis is pure red, green or blue."""
+    coloured = max(r, g, b) > 85 and max(r, g, b) - min(r, g, b) > 30
+    return coloured and (g > r and 0.2 * g < b < 1.1 * g or r > g > 0.7 * r and b < 0.4 * g)
 
 
 def is_marked_bit(r, g, b):

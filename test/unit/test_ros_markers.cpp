@@ -46,9 +46,9 @@ void expect_point(double x, double y, double z, const geometry_msgs::Point& p)
 
 void expect_color(double r, double g, double b, const std_msgs::ColorRGBA& c)
 {
-  EXPECT_FLOAT_EQ(static_cast<float>(r), c.r);
-  EXPECT_FLOAT_EQ(static_cast<float>(g), c.g);
-  EXPECT_FLOAT_EQ(static_cast<float>(b), c.b);
+  EXPECT_NEAR(r, c.r, 1e-6);
+  EXPECT_NEAR(g, c.g, 1e-6);
+  EXPECT_NEAR(b, c.b, 1e-6);
   EXPECT_FLOAT_EQ(1.0f, c.a);
 }
 
@@ -106,16 +106,17 @@ TEST(Markers, stringIsDrawnWithItsOffsetExaggerated)
   EXPECT_EQ(3u, m.colors.size());
 }
 
-TEST(Markers, coloursGoFromLimeThroughYellowToRed)
+TEST(Markers, coloursGoFromTealThroughGreenToYellow)
 {
-  expect_color(0.55, 0.95, 0.1, color_of(0.0, 100.0));
-  expect_color(0.55 + 0.9 * 0.25, 0.95, 0.1, color_of(25.0, 100.0));
-  expect_color(1.0, 1.9 * 0.5, 0.1, color_of(50.0, 100.0));
-  expect_color(1.0, 1.9 * 0.25, 0.1, color_of(75.0, 100.0));
-  expect_color(1.0, 0.0, 0.1, color_of(100.0, 100.0));
-  expect_color(1.0, 1.9 * 0.25, 0.1, color_of(-75.0, 100.0));  // size counts
-  expect_color(1.0, 0.0, 0.1, color_of(200.0, 100.0));         // beyond the scale
-  expect_color(0.55, 0.95, 0.1, drawn(numbered_output(), "string").color);
+  expect_color(0.146, 0.572, 0.53, color_of(0.0, 100.0));
+  expect_color(0.216, 0.696, 0.462, color_of(25.0, 100.0));
+  expect_color(0.134, 0.638, 0.515, color_of(12.5, 100.0));
+  expect_color(0.474, 0.804, 0.318, color_of(50.0, 100.0));
+  expect_color(0.732, 0.868, 0.218, color_of(75.0, 100.0));
+  expect_color(0.99, 0.91, 0.14, color_of(100.0, 100.0));
+  expect_color(0.732, 0.868, 0.218, color_of(-75.0, 100.0));  // size counts
+  expect_color(0.99, 0.91, 0.14, color_of(200.0, 100.0));  // beyond the scale
+  expect_color(0.146, 0.572, 0.53, drawn(numbered_output(), "string").color);
 }
 
 TEST(Markers, eachQuantityColours)
@@ -134,9 +135,9 @@ TEST(Markers, eachQuantityColours)
     for (const auto& other : quantities) one.profile.*other.second = {9.0, 9.0, 9.0};
     one.profile.*values = {0.0, 0.5, 1.0};
     const Marker m = drawn(one, "string", p);
-    expect_color(0.55, 0.95, 0.1, m.colors[0]);
-    expect_color(1.0, 0.95, 0.1, m.colors[1]);
-    expect_color(1.0, 0.0, 0.1, m.colors[2]);
+    expect_color(0.146, 0.572, 0.53, m.colors[0]);
+    expect_color(0.474, 0.804, 0.318, m.colors[1]);
+    expect_color(0.99, 0.91, 0.14, m.colors[2]);
   }
 }
 
@@ -154,10 +155,10 @@ TEST(Markers, fullScaleLeavesTheLargestTenthOut)
   s.profile.tension[5] = 100.0;
   s.profile.tension[6] = 50.0;
   const Marker m = drawn(s, "string");
-  expect_color(1.0, 0.0, 0.1, m.colors[0]);
-  expect_color(1.0, 0.0, 0.1, m.colors[5]);
-  expect_color(1.0, 1.9 * 0.5, 0.1, m.colors[6]);  // 50 of 100
-  expect_color(0.55 + 0.9 * 0.4, 0.95, 0.1, m.colors[7]);
+  expect_color(0.99, 0.91, 0.14, m.colors[0]);
+  expect_color(0.99, 0.91, 0.14, m.colors[5]);
+  expect_color(0.474, 0.804, 0.318, m.colors[6]);    // 50 of 100
+  expect_color(0.3708, 0.7608, 0.3756, m.colors[7]);  // 40 of 100
 }
 
 TEST(Markers, fullScaleFallsSlowlyAfterAPeakAndIsForgottenWithTheRig)
@@ -167,11 +168,11 @@ TEST(Markers, fullScaleFallsSlowlyAfterAPeakAndIsForgottenWithTheRig)
   s.profile.tension = {100.0, 100.0, 100.0};
   picture.draw(s);
   s.profile.tension = {49.0, 49.0, 49.0};
-  expect_color(1.0, 0.95, 0.1, drawn(picture, s, "string").colors[0]);  // 49 of 98
+  expect_color(0.474, 0.804, 0.318, drawn(picture, s, "string").colors[0]);  // 49 of 98
   s.profile.tension = {48.02, 48.02, 48.02};
-  expect_color(1.0, 0.95, 0.1, drawn(picture, s, "string").colors[0]);  // 48.02 of 96.04
+  expect_color(0.474, 0.804, 0.318, drawn(picture, s, "string").colors[0]);  // 48.02 of 96.04
   picture.restart();
-  expect_color(1.0, 0.0, 0.1, drawn(picture, s, "string").colors[0]);
+  expect_color(0.99, 0.91, 0.14, drawn(picture, s, "string").colors[0]);
 }
 
 TEST(Markers, bitIsAsLargeAsItsHole)

@@ -18,7 +18,8 @@ namespace drill_rig_sim
 /// Lateral exaggeration: the hole's radius, the pipe's and the string's offset from the hole's axis are drawn larger by this
 /// factor, because a hole of 0.3 m in a well of 730 m is thinner than a pixel. Lengths along the hole stay true.
 ///
-/// Colours go from lime at 0 to red at a full scale that nine nodes in ten stay below; after a peak it falls by 2 % per picture.
+/// Colours go from teal at 0 to yellow (math/viridis.h) at a full scale that nine nodes in ten stay below; after a peak it
+/// falls by 2 % per picture.
 class MarkerPicture
 {
 public:

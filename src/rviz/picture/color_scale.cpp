@@ -6,16 +6,15 @@
 #include <cmath>
 #include <cstdio>
 
+#include "drill_rig_sim/math/viridis.h"
+
 namespace drill_rig_sim
 {
 namespace
 {
 constexpr int patience = 50;  // messages until a scale that is too wide gets narrower
 
-// viridis without its darkest part, which a dark ground swallows; blue, white, orange where there are both signs: all can be told
-// by the colour-blind
-constexpr std::array<Color, 5> viridis{
-    {{0.27f, 0.23f, 0.51f}, {0.17f, 0.44f, 0.56f}, {0.13f, 0.66f, 0.51f}, {0.56f, 0.84f, 0.27f}, {0.99f, 0.91f, 0.14f}}};
+// where there are both signs: blue, white, orange, which the colour-blind can tell apart too
 constexpr std::array<Color, 3> orange{{{0.97f, 0.97f, 0.97f}, {0.99f, 0.72f, 0.39f}, {0.90f, 0.38f, 0.01f}}};
 constexpr std::array<Color, 3> blue{{{0.97f, 0.97f, 0.97f}, {0.45f, 0.68f, 0.85f}, {0.02f, 0.32f, 0.69f}}};
 
@@ -50,7 +49,11 @@ ColorScale::ColorScale(double low, double high)
 Color ColorScale::at(double value) const noexcept
 {
   if (!std::isfinite(value)) return {0.5f, 0.5f, 0.5f};
-  if (!(low_ < 0.0)) return along(viridis, value / high_);
+  if (!(low_ < 0.0))
+  {
+    const Rgb color = viridis(value / high_);
+    return {color[0], color[1], color[2]};
+  }
   return value >= 0.0 ? along(orange, value / high_) : along(blue, value / low_);
 }
 

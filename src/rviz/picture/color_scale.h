@@ -13,8 +13,8 @@ struct Color
   float r = 1.0f, g = 1.0f, b = 1.0f, a = 1.0f;
 };
 
-/// From a value to a colour and back to the reader. Above 0 lime, yellow, orange and red, below 0 light to deep blue; values
-/// beyond the ends have the colour of the end.
+/// From a value to a colour and back to the reader. From violet at 0 to yellow (viridis); with both signs white at 0, orange
+/// above, blue below; values beyond the ends have the colour of the end.
 class ColorScale
 {
 public:
