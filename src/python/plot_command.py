@@ -21,9 +21,30 @@ from drill_rig_sim.web.series_source import SeriesSource
 
 WEB_PAGE = "web.html"
 PAGE = """<!DOCTYPE html>
-<html lang="en"><head><meta charset="utf-8"><title>%(name)s</title>
-<style>body{font-family:sans-serif;margin:1.5em;color:#222}img{max-width:100%%;height:auto;border:1px solid #ddd;margin:0 0 1.5em}pre{background:#f6f6f6;padding:1em;
-overflow-x:auto}nav a{margin-right:1em}</style></head>
+<html lang="en"><head><meta charset="utf-8"><title>%(name)s</title><meta name="viewport" content="width=device-width">
+<meta name="color-scheme" content="light dark">
+<style>
+:root{color-scheme:light dark;--back:#fff;--ink:#222;--panel:#f6f6f6;--line:#ddd;--link:#0b63a5}
+body{font-family:sans-serif;margin:1.5em;color:var(--ink);background:var(--back)}
+a{color:var(--link)}
+nav a{margin-right:1em}
+pre{background:var(--panel);padding:1em;overflow-x:auto}
+img{max-width:100%%;height:auto;border:1px solid var(--line);margin:0 0 1.5em}
+@media screen and (prefers-color-scheme:dark){
+:root{--back:#10151a;--ink:#e8edf2;--panel:#1a2128;--line:#36424d;--link:#62b5f0}
+img{filter:invert(.93) hue-rotate(180deg)}  /* pictures are drawn on white; hues stay */
+}
+@media print{
+@page{size:A4;margin:12mm}
+:root{color-scheme:light}
+body{margin:0}
+nav{display:none}
+pre{white-space:pre-wrap;font-size:8pt;padding:.5em}
+section{break-inside:avoid}
+h2{break-after:avoid;margin:0 0 2mm}
+img{max-height:255mm;border:0;margin:0}
+}
+</style></head>
 <body><h1>%(name)s</h1><nav>%(links)s</nav><pre>%(scores)s</pre>
 %(pictures)s
 </body></html>
@@ -49,7 +70,7 @@ def write(pictures, folder, run, scores, units=SI):
         plt.close(figure)
         with open(os.path.join(folder, name + ".png"), "rb") as png:
             data = base64.b64encode(png.read()).decode("ascii")
-        parts.append('<h2 id="%s">%s</h2>\n<img alt="%s" src="data:image/png;base64,%s">' % (name, title, title, data))
+        parts.append('<section><h2 id="%s">%s</h2>\n<img alt="%s" src="data:image/png;base64,%s"></section>' % (name, title, title, data))
     page = os.path.join(folder, "index.html")
     with open(page, "w", encoding="utf-8") as out:
         out.write(PAGE % {"name": html.escape(run.title), "links": "".join('<a href="#%s">%s</a>' % (name, title) for name, title, _ in pictures),

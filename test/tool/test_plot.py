@@ -154,6 +154,9 @@ class Command(unittest.TestCase):
         for name in ("time_log", "depth_log", "well", "toolface"):
             for kind in ("png", "svg"):
                 self.assertGreater(os.path.getsize(os.path.join(self.folder, "run_plots", "%s.%s" % (name, kind))), 5000)
+        sections = re.findall(r"<section><h2 id=\"\w+\">([^<]+)</h2>\n<img [^>]*></section>", text)
+        self.assertEqual(["Time log", "Depth log", "Well", "Toolface"], sections)  # on paper a heading stays with its picture
+        self.assertTrue("@media screen and (prefers-color-scheme:dark)" in text and "section{break-inside:avoid}" in text)
         self.assertIn("rate of penetration", text)
         self.assertTrue("<h1>run.csv</h1>" in text and "<title>run.csv</title>" in text)
         self.assertTrue("<pre>%s, by its truth" % self.csv in text)  # which of all such names it is
