@@ -44,7 +44,8 @@ Signals<Values> signals_of(const Values& signals, const Simulator& simulator, st
           operation.progress,
           operation.kind,
           simulator.statistics().accuracy,
-          simulator.active_faults()};
+          simulator.active_faults(),
+          simulator.fault_depths()};
 }
 
 Bit bit_of(const Truth& t)

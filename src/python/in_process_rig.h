@@ -58,6 +58,7 @@ struct Signals
   OperationKind operation_kind = OperationKind::wait;
   AccuracyReport accuracy;
   ActiveFaults faults;
+  FaultDepths fault_depths{};
 
   std::string current_operation() const;
 

@@ -182,6 +182,7 @@ RigTruth to_rig_truth(const TrueSignals& from, const FrameRecord& frame, const s
 #include "drill_rig_sim/scene/signal_list.h"
   copy_steering(frame, m);
   m.active_faults = words_of(frame.faults);
+  m.active_fault_depths = depths_of(frame.faults, frame.fault_depths);
   return m;
 }
 

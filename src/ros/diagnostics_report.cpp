@@ -169,6 +169,7 @@ DiagnosticsReport::Status DiagnosticsReport::physics_status(const FrameRecord& f
     s.add(key + "_from_bit", load.from_bit);
   };
   tell(frame.truth.over_stress, "pipe beyond its yield strength", "yield", p.loads.stress);
+  s.add("pull_to_yield", p.loads.pull_to_yield);
   tell(frame.truth.over_torque, "connection beyond its make-up torque", "make_up", p.loads.torque);
   tell(frame.truth.buckled, "pipe beyond its buckling load", "buckling", p.loads.buckling);
   if (p.tight) s.mergeSummary(DiagnosticStatus::WARN, text_of(*p.tight));

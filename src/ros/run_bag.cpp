@@ -66,6 +66,7 @@ struct RunBag::Writer
     frame.truth = simulator.truth();
     frame.readings = simulator.readings();
     frame.faults = simulator.active_faults();
+    frame.fault_depths = simulator.fault_depths();
     frame.physics.accuracy = simulator.statistics().accuracy;
     frame.stamp = std::llround(1e9 * frame.truth.time);
   }

@@ -97,6 +97,7 @@ void SimulationLoop::fill_record(FrameRecord& record, bool accuracy_due) const n
   record.commands_refused = mailbox_.refusals().number();
   record.last_refusal = mailbox_.refusals().last();
   record.faults = rig_.simulator->active_faults();
+  record.fault_depths = rig_.simulator->fault_depths();
   record.last_clamp = rig_.last_clamp;
   std::snprintf(record.failure.data(), record.failure.size(), "%s", rig_.failed ? rig_.simulator->failure() : "");
 }

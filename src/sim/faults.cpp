@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/sim/faults.h"
 
+#include <cmath>
+
 #include "drill_rig_sim/model/forces/place_drag.h"
 
 namespace drill_rig_sim
@@ -168,6 +170,40 @@ std::uint32_t active_faults(const State& state) noexcept
 std::uint32_t active_faults(const SensorFault& gauge) noexcept
 {
   return bits_of(gauge_deeds, gauge);
+}
+
+FaultDepths fault_depths(const Model& model, const State& state) noexcept
+{
+  FaultDepths depths;
+  depths.fill(NAN);
+  const std::uint32_t active = active_faults(state);
+  const auto set = [&](FaultKind kind, double md)
+  {
+    const int k = static_cast<int>(kind);
+    if (active >> k & 1u) depths[static_cast<std::size_t>(k)] = md;
+  };
+  const FaultState& f = state.faults;
+  if (const int node = state.stuck_point.node; node >= 0)
+    set(FaultKind::stuck_pipe,
+        state.well.locate(state.stuck_point.position, state.nodes[static_cast<std::size_t>(node)].segment).md);
+  set(FaultKind::washed_out_hole, f.washed_out_at);
+  if (f.leak_area > 0.0) set(FaultKind::washed_out_pipe, depth_of_bit(model, state) - f.leak_from_bit);
+  set(FaultKind::differential_sticking, f.sticking.md);
+  set(FaultKind::pack_off, f.pack_off.md);
+  set(FaultKind::friction_change, f.friction_from);
+  return depths;
+}
+
+std::vector<double> depths_of(const ActiveFaults& faults, const FaultDepths& depths)
+{
+  std::vector<double> out;
+  for (std::size_t k = 0; k < fault_count; ++k)
+  {
+    if (faults.of_rig >> k & 1u) out.push_back(depths[k]);
+    for (const std::uint32_t of_gauge : faults.of_gauges)
+      if (of_gauge >> k & 1u) out.push_back(NAN);
+  }
+  return out;
 }
 
 }  // namespace drill_rig_sim

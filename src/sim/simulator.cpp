@@ -251,6 +251,11 @@ ActiveFaults Simulator::active_faults() const noexcept
   return faults;
 }
 
+FaultDepths Simulator::fault_depths() const noexcept
+{
+  return drill_rig_sim::fault_depths(*impl_->rig.motion.model(), impl_->rig.state.mechanics);
+}
+
 bool Simulator::set_free_length(double from_bit) noexcept
 {
   return impl_->rig.motion.set_free_length(from_bit);

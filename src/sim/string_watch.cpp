@@ -86,12 +86,14 @@ BuckledPipe buckled_pipe(const Model& model, const State& state, const RigForces
 StringLoads StringWatch::look(const Model& model, const State& state, const RigForces& forces) const noexcept
 {
   StringLoads out;
+  out.pull_to_yield = HUGE_VAL;
   for (std::size_t e = 0; e < strength_.size(); ++e)
   {
     const Strength& s = strength_[e];
     const double tension = forces.tension[e], torque = std::abs(forces.torque[e]), shear = s.by_torque * torque;
-    const double axial =
-        s.by_tension * std::abs(tension) + s.by_moment * std::max(forces.bending_moment[e], forces.bending_moment[e + 1]);
+    const double bent = s.by_moment * std::max(forces.bending_moment[e], forces.bending_moment[e + 1]);
+    const double axial = s.by_tension * std::abs(tension) + bent, borne = std::sqrt(std::max(1.0 - shear * shear, 0.0));
+    out.pull_to_yield = std::min(out.pull_to_yield, (borne - bent) / s.by_tension - tension);
     take(axial * axial + shear * shear, s.from_bit, out.stress);
     take(s.by_make_up * torque, s.from_bit, out.torque);
     if (tension < 0.0 && -tension > out.buckling.share * s.least_buckling)

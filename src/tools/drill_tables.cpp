@@ -102,7 +102,9 @@ std::string rig_truth_message()
          line("bool magnetic_steering",
               "its toolface counts from north: the hole is nearer the vertical than 5 deg (hysteresis 4 and 6 deg)") +
          line("string[] active_faults",
-              "the faults under way, by their words in scenes, those of gauges as \"sensor_bias of hook_load\"");
+              "the faults under way, by their words in scenes, those of gauges as \"sensor_bias of hook_load\"") +
+         line("float64[] active_fault_depths",
+              "measured depth of each of them, of a friction_change its upper end [m]; NaN: it has no place");
 }
 
 std::string message_of(const SignalRow& row)

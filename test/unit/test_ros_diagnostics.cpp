@@ -105,6 +105,7 @@ const std::map<std::string, double> own_numbers = {{"simulated_time", 123.5},
                                                    {"refused", 21},
                                                    {"yield_share", 0.31},
                                                    {"yield_from_bit", 32.0},
+                                                   {"pull_to_yield", 9.3e5},
                                                    {"make_up_share", 0.33},
                                                    {"make_up_from_bit", 34.0},
                                                    {"buckling_share", 0.35},
@@ -151,7 +152,7 @@ TEST_F(Report, eachNumberIsItsOwn)
   p.error_test_failures = 17;
   p.last_error_estimate = 1.8e-5;
   p.commands_clamped = 19;
-  p.loads = {{0.31, 32.0}, {0.33, 34.0}, {0.35, 36.0}};
+  p.loads = {{0.31, 32.0}, {0.33, 34.0}, {0.35, 36.0}, 9.3e5};
   frame_.accuracy.tolerance = 0.02;
   for (int i = 0; i < 21; ++i) refusals_.count(i < 20 ? "an older one" : "a refusal");
   frame_.loop.ticked_seconds = 123.5;

@@ -207,6 +207,37 @@ TEST(Fault, isListedWhileItIsUnderWay)
   }
 }
 
+TEST(Fault, depthIsReportedWhereThereIsOne)
+{
+  Simulator rig(motor_drilling_scene(5.0));
+  const double bit = rig.truth().bit_depth;
+  for (int k = 0; k < fault_count; ++k)
+  {
+    const FaultTraits& traits = fault_traits[k];
+    const bool has_place = traits.place != FaultPlace::nowhere;
+    Fault fault{static_cast<FaultKind>(k), has_place ? 50.0 : 0.0,
+                traits.magnitude.label ? 0.5 * std::min(1.0, traits.magnitude.most) : 0.0};
+    fault.gauge = Gauge::flow;
+    ASSERT_EQ(rig.inject(fault), nullptr) << traits.word;
+    const std::vector<double> depths = depths_of(rig.active_faults(), rig.fault_depths());
+    ASSERT_EQ(depths.size(), 1u) << traits.word;
+    // a stuck pipe is gripped at the node next to 50 m
+    if (has_place)
+      EXPECT_NEAR(depths[0], 50.0, fault.kind == FaultKind::stuck_pipe ? 6.0 : 1e-9) << traits.word;
+    else
+      EXPECT_TRUE(std::isnan(depths[0])) << traits.word;
+    rig.clear(fault.kind, Gauge::flow);
+    EXPECT_TRUE(depths_of(rig.active_faults(), rig.fault_depths()).empty()) << traits.word;
+  }
+  rig.inject({FaultKind::washed_out_pipe, 50.0, 1e-4, Gauge::hook_load});
+  rig.inject({FaultKind::sensor_bias, 0.0, 1.0, Gauge::torque});
+  play(rig, 5.0);
+  const std::vector<double> depths = depths_of(rig.active_faults(), rig.fault_depths());
+  ASSERT_EQ(depths.size(), 2u) << "in the order of words_of()";
+  EXPECT_TRUE(std::isnan(depths[0])) << words_of(rig.active_faults())[0];
+  EXPECT_NEAR(depths[1], 50.0 + rig.truth().bit_depth - bit, 0.01) << "it moves with the pipe";
+}
+
 TEST(Fault, isRefusedWithWhatDoesNotApply)
 {
   const auto why = [](FaultKind kind, const std::string& gauge, double depth, double magnitude) -> std::string

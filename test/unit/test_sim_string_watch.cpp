@@ -2,6 +2,7 @@
 // What the string's pipe bears: stress, connections, buckling, each by hand.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "drill_rig_sim/math/units.h"
@@ -54,6 +55,26 @@ TEST(StringWatch, stressByHand)
     EXPECT_EQ(loads.stress.from_bit, middle(mesh, watched));
     EXPECT_EQ(loads.torque.share, 0.0) << "not known";
   }
+}
+
+// The pipe of above: A Y = 3.404e-3 * 724e6 = 2465 kN. Without a load it bears that. With the loads of above in tension it bears
+// A (sqrt(724^2 - 3 * 160.3^2) - 106.9) MPa = 1914 kN, of which 500 kN hang on it; compressed by them, 500 kN more than that.
+TEST(StringWatch, pullToYieldByHand)
+{
+  const RigAtRest rig = build_at_rest(vertical_scene(400.0, 290.0));
+  const StringWatch watch(*rig.model);
+  RigForces forces = unloaded(*rig.model);
+  EXPECT_NEAR(watch.look(*rig.model, rig.state, forces).pull_to_yield, 2465e3, 2e3) << "of the weakest";
+  forces.torque[watched] = 30e3;
+  forces.bending_moment[watched + 1] = 10e3;
+  for (const double tension : {500e3, -500e3, 1914e3, 2000e3})
+  {
+    forces.tension[watched] = tension;
+    const double wanted = std::min(1914e3 - tension, 2101e3);  // the moment bends the element above too: 724 MPa less 106.9
+    EXPECT_NEAR(watch.look(*rig.model, rig.state, forces).pull_to_yield, wanted, 2e3) << tension;
+  }
+  forces.torque[watched] = 200e3;
+  EXPECT_LT(watch.look(*rig.model, rig.state, forces).pull_to_yield, -2000e3) << "torque alone makes it yield";
 }
 
 TEST(StringWatch, connectionsByTheirMakeUpTorque)

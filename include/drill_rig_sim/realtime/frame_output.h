@@ -104,6 +104,7 @@ struct FrameRecord
   std::uint64_t commands_refused = 0;  ///< since the node began
   const char* last_refusal = "";       ///< why the last one was; static storage
   ActiveFaults faults;
+  FaultDepths fault_depths{};
   const char* last_clamp = "";      ///< which limit the last clamped command met; static storage
   std::array<char, 256> failure{};  ///< why the last frame failed; empty otherwise
 };

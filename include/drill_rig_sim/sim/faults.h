@@ -2,6 +2,10 @@
 #ifndef DRILL_RIG_SIM_SIM_FAULTS_H
 #define DRILL_RIG_SIM_SIM_FAULTS_H
 
+#include <array>
+#include <cstdint>
+#include <vector>
+
 #include "drill_rig_sim/instruments/sensor.h"
 #include "drill_rig_sim/model/model.h"
 #include "drill_rig_sim/model/state.h"
@@ -42,6 +46,12 @@ void end(FaultKind kind, State& state) noexcept;
 /// Those under way, a bit for each FaultKind: of the mechanics, of a gauge.
 std::uint32_t active_faults(const State& state) noexcept;
 std::uint32_t active_faults(const SensorFault& gauge) noexcept;
+/// Where those of the mechanics are now, by FaultKind: of a stuck pipe the gripped place, of a leak the pipe's present depth, of
+/// a friction change its upper end [m MD]; NaN: it is not under way, or has no place.
+using FaultDepths = std::array<double, fault_count>;
+FaultDepths fault_depths(const Model& model, const State& state) noexcept;
+/// The same in the order of words_of(); NaN also for a gauge's fault.
+std::vector<double> depths_of(const ActiveFaults& faults, const FaultDepths& depths);
 /// The same of a gauge.
 void begin(const Fault& fault, SensorFault& gauge) noexcept;
 void end(FaultKind kind, SensorFault& gauge) noexcept;

@@ -18,6 +18,7 @@
 #include "drill_rig_sim/scene/scene.h"
 #include "drill_rig_sim/sim/accuracy.h"
 #include "drill_rig_sim/sim/assembly_fit.h"
+#include "drill_rig_sim/sim/faults.h"
 #include "drill_rig_sim/sim/string_profile.h"
 #include "drill_rig_sim/sim/string_watch.h"
 #include "drill_rig_sim/solve/reference_report.h"
@@ -158,6 +159,8 @@ public:
   /// The faults under way, by inject() or the scene's program. One whose magnitude makes no difference (a factor of 1) is not
   /// listed.
   ActiveFaults active_faults() const noexcept;
+  /// Where they are (sim/faults.h).
+  FaultDepths fault_depths() const noexcept;
   bool set_free_length(double from_bit) noexcept override;
 
   const char* set_slips(bool set) noexcept override;

@@ -23,6 +23,8 @@ struct StringLoads
   LoadShare stress;    ///< von Mises' stress at the outer fibre over the part's yield strength
   LoadShare torque;    ///< torque over the make-up torque of the part's connections, where that is given
   LoadShare buckling;  ///< compression over the load at which the pipe buckles in its hole
+  double pull_to_yield =
+      0.0;  ///< further tension at which the weakest pipe yields, with its torque and bending; below 0: it does [N]
 };
 
 /// Compression over that at which an element's pipe buckles into a sine [-]; 0 in tension and above the rotary table. It buckles
@@ -55,6 +57,8 @@ public:
   /// - Stress: sqrt((|T|/A + M/W)^2 + 3 (Q/W_t)^2), T the element's tension, M the larger bending moment of its ends, Q its
   /// torque, of a
   ///   tube with the part's diameters (any book on strength of materials). Without pressure.
+  /// - Pull to yield: the least over the string of A (sqrt(Y^2 - 3 (Q/W_t)^2) - M/W) - T, Y the part's yield strength. A pull on
+  ///   the hook that friction or a stuck point keeps from the weakest pipe may be larger.
   /// - Buckling: buckling_share().
   StringLoads look(const Model& model, const State& state, const RigForces& forces) const noexcept;
 
