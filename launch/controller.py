@@ -23,6 +23,7 @@ from drill_rig_sim.score_command import table
 from drill_rig_sim.score_runs import run_of_states, write_series
 from drill_rig_sim.slide_steering import SlideSteering
 from drill_rig_sim.stands import Stands
+from drill_rig_sim.status import Status
 from drill_rig_sim.stick_slip import StickSlip
 from drill_rig_sim.survey import read_survey
 
@@ -38,7 +39,9 @@ def planned():
 
 def in_lockstep(law, timeout):
     rig = Rig(rospy.get_namespace().rstrip("/"))
-    states = control.drive(rig, law, timeout, telemetry=rig)
+    status = Status(law)
+    states = control.drive(rig, law, timeout, telemetry=rig, judge=lambda state: status.publish(state.readings.header))
+    status.end(rig.state.readings.header)
     run = run_of_states(states, rospy.get_param("~law"))
     if rospy.has_param("~csv"):
         write_series(run, rospy.get_param("~csv"))
@@ -73,6 +76,7 @@ def main():
         in_lockstep(law, rospy.get_param("~timeout", 3600.0))
     else:
         topics.follow(law)
+    time.sleep(0.3)  # rospy's threads send the last status
     given_up = getattr(law, "given_up", "")
     print("given up: " + given_up if given_up else "done" if law.done else "not done", flush=True)
     if given_up or not law.done:

@@ -60,6 +60,11 @@ class Ordered:
     def __init__(self, law, orders):
         self._law, self._orders, self._begin = law, sorted(orders), None
 
+    @property
+    def inner(self):
+        """The law itself."""
+        return self._law
+
     def __getattr__(self, name):
         if name == "_law":  # of a copy that is not filled yet
             raise AttributeError(name)

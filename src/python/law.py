@@ -90,6 +90,12 @@ class Plan:
         east, north, up = self._survey.at(depth)[1]
         return math.atan2(math.hypot(east, north), -up), math.atan2(east, north)
 
+    def points(self, spacing):
+        """Places of it, (east, north, up) from the rotary table, at most `spacing` apart along it, with both its ends [m]."""
+        begin, end = float(self._survey.md[0]), float(self._survey.md[-1])
+        parts = max(1, math.ceil((end - begin) / spacing))
+        return [self._survey.at(begin + (end - begin) * n / parts)[0] for n in range(parts + 1)]
+
 
 class PipeWork:
     """Sets the slips, adds pipe or takes it away, and picks up, by the rig's services; a part of a law that makes no way of its own meanwhile.

@@ -8,6 +8,7 @@ from drill_rig_sim.lockstep import MODES, Refused, arrived
 from drill_rig_sim.msg import DownholeDynamics, MudPumpCommand, MwdInclination, MwdSurvey, MwdToolface, RigState, SteeringCommand, TopDriveCommand, WinchCommand
 from drill_rig_sim.rig import COMMANDS, answered
 from drill_rig_sim.srv import MakeConnection
+from drill_rig_sim.status import Status
 from std_srvs.srv import SetBool
 
 
@@ -44,9 +45,10 @@ def messages_of(commands):
 
 
 class Follower:
-    """A law that is asked with the first state of each of its periods, and whose commands are published."""
+    """A law that is asked with the first state of each of its periods, and whose commands and status are published."""
 
     def __init__(self, law):
+        self.status, self.header = Status(law), None
         self.law, self.runs, self.telemetry, self.last, self.refused = law, NewRuns(law), Telemetry(), None, ""
         self.slips, self.connection = rospy.ServiceProxy("set_slips", SetBool), rospy.ServiceProxy("make_connection", MakeConnection)
         self.publishers = {name: rospy.Publisher(name + "/command", kind, queue_size=1) for name, kind in COMMANDS.items()}
@@ -57,11 +59,17 @@ class Follower:
             self.begin_again(now)
         if self.law.done or (self.last is not None and now < self.last + self.law.period - 1e-6):
             return
-        self.last = now
+        self.last, self.header = now, state.header
         commands = asked(self.law, Readings(now, state, self.telemetry, self.refused))
         for name, message in messages_of(commands).items():
             self.publishers[name].publish(message)
+        self.status.publish(state.header)
         self.refused = pipe_work(commands, lambda are_set: served(self.slips, are_set), lambda **fields: served(self.connection, **fields))
+
+    def end(self):
+        """The law commands the rig no more."""
+        if self.header is not None:
+            self.status.end(self.header)
 
     def begin_again(self, now):
         rospy.logwarn("the rig begins a new run at %.2f s: %s" % (now, "the law continues, because it cannot be copied (%s)" % self.runs.problem
@@ -81,7 +89,9 @@ def served(service, *words, **fields):
 def follow(law):
     """By topics, in the node's namespace: a step with the first state of each period; returns once the law is done. Where the rig begins a new run, so
     does the law (drill_rig_sim.control.NewRuns)."""
-    subscriber = rospy.Subscriber("rig_state", RigState, Follower(law).take, queue_size=1, tcp_nodelay=True)
+    follower = Follower(law)
+    subscriber = rospy.Subscriber("rig_state", RigState, follower.take, queue_size=1, tcp_nodelay=True)
     while not (law.done or rospy.is_shutdown()):
         time.sleep(0.05)
     subscriber.unregister()
+    follower.end()

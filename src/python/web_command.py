@@ -58,7 +58,7 @@ def server_of(options, port, token):
     feed, hands = Feed(source, options.control, options.units), None
     if options.control:
         from drill_rig_sim.web.hands import Hands
-        hands = Hands(source, lambda: feed.scene)
+        hands = Hands(source, lambda: feed.scene, parts=lambda: feed.parts)
     server = Server(feed, Orders(feed, hands), token, port)
     if source.live:
         source.start()

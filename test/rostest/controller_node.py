@@ -6,7 +6,7 @@ import unittest
 
 import rospy
 import rostest
-from drill_rig_sim.msg import BitTruth
+from drill_rig_sim.msg import BitTruth, ControllerStatus
 from drill_rig_sim.srv import SetSpeed
 
 WEIGHT = 60e3        # what the launch file asks for [N]
@@ -27,9 +27,19 @@ class ControllerNode(unittest.TestCase):
                 done.set()
         rospy.wait_for_service("/rig/set_speed", 60)
         self.assertTrue(rospy.ServiceProxy("/rig/set_speed", SetSpeed)(8.0).success)
+        statuses = []
+        rospy.Subscriber("/rig/controller/status", ControllerStatus, statuses.append, queue_size=None)
         rospy.Subscriber("/rig/truth/bit", BitTruth, take, queue_size=None)
         self.assertTrue(done.wait(250), "the bit did not drill for %g s" % (SETTLING + SECONDS))
         self.assertAlmostEqual(1.0, sum(weights) / len(weights) / WEIGHT, delta=0.05)
+        self.assertEqual({"autodriller"}, {status.law for status in statuses})
+        self.assertTrue(all(status.running and status.given_up == "" for status in statuses))
+        phases = [status.phase for status in statuses]
+        self.assertEqual(["spinning up", "zeroing", "tagging", "drilling"], sorted(set(phases), key=phases.index))
+        last = statuses[-1]
+        self.assertEqual("weight", last.leads)
+        self.assertEqual(WEIGHT, dict(zip(last.set_point, last.value))["weight"])
+        self.assertEqual("rig_floor", last.header.frame_id)
 
 
 if __name__ == "__main__":

@@ -20,6 +20,7 @@ from drill_rig_sim.rig import Refused
 from drill_rig_sim.rss_steering import downlink
 from drill_rig_sim.score_runs import read_run
 from drill_rig_sim.slide_steering import SlideSteering
+from drill_rig_sim.status import name_of, plan_of, status_of
 from drill_rig_sim.stick_slip import StickSlip
 from drill_rig_sim.survey import Survey
 
@@ -36,6 +37,43 @@ def weight_after(time, drillability, set_point=60e3, limit=1.0):
         loop.follow(feed, DT, weight if wanted <= limit else None)
         weight += DT * STIFFNESS * (feed - drillability * weight)
     return weight, loop
+
+
+class StatusOfALaw(unittest.TestCase):
+    """What controller/status says."""
+    settings = {"set_points": {"weight": 6e4, "pressure": 1e12}, "stiffness": STIFFNESS, "rop": 0.01, "rpm": 60.0, "flow": 0.03, "to_depth": 900.0}
+
+    def points(self, law):
+        status = status_of(law, True)
+        return dict(zip(status.set_point, status.value))
+
+    def test_of_an_autodriller(self):
+        law = Ordered(Autodriller(**self.settings), [])
+        status = status_of(law, True)
+        self.assertEqual(("autodriller", True, "spinning up", "", ""), (status.law, status.running, status.phase, status.leads, status.given_up))
+        points = self.points(law)
+        self.assertAlmostEqual(2.0 * math.pi, points.pop("rotary_speed"))
+        self.assertEqual({"weight": 6e4, "rop": 0.01, "flow": 0.03, "to_depth": 900.0}, points)  # no limit of pressure
+        law.inner.winner, law.inner.set_points["weight"] = "rop", 5e4
+        self.assertEqual(("rop", 5e4), (status_of(law, True).leads, self.points(law)["weight"]))
+        self.assertEqual([], plan_of(law))
+
+    def test_of_a_law_that_steers(self):
+        survey = Survey([0.0, 100.0, 195.0], [0.0, 0.0, 0.5], [0.0, 0.0, 0.0])
+        law = SlideSteering(survey, 5.5, 4e-5, self.settings)
+        law.driller.winner, law.given_up = "weight", "the plan cannot be reached"
+        status = status_of(law, False)
+        self.assertEqual(("slide_steering", False, "weight", law.given_up), (status.law, status.running, status.leads, status.given_up))
+        plan = plan_of(law)
+        self.assertEqual(21, len(plan))  # 195 m
+        self.assertEqual((0.0, 0.0, 0.0), (plan[0].x, plan[0].y, plan[0].z))
+        for n, value in enumerate(survey.positions[-1]):
+            self.assertAlmostEqual(value, (plan[-1].x, plan[-1].y, plan[-1].z)[n])
+
+    def test_of_others(self):
+        self.assertEqual("stick_slip", name_of(StickSlip(60.0, 0.03, ["rpm"], torsion_period=5.0, stiffness=STIFFNESS)))
+        status = status_of(types.SimpleNamespace(), True)
+        self.assertEqual(("", [], []), (status.phase, status.set_point, status.value))
 
 
 class Parts(unittest.TestCase):

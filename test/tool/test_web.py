@@ -19,7 +19,6 @@ from drill_rig_sim.web.alarms import Alarms
 from drill_rig_sim.web.bins import Bins
 from drill_rig_sim.web.broomstick import points, scene_at
 from drill_rig_sim.web.feed import Feed
-from drill_rig_sim.web.law_box import LawBox, law_of, settings_of, stall_pressure_of
 from drill_rig_sim.web.node_source import NodeSource
 from drill_rig_sim.web.orders import Orders, number_of
 from drill_rig_sim.web.packed import Packed
@@ -358,26 +357,6 @@ class Order(unittest.TestCase):
         for bad in (None, "2", True, math.nan, math.inf, 4, -1, [1]):
             with self.assertRaisesRegex(Refused, "^a must be a number from 0 to 3$"):
                 number_of({"a": bad}, "a", 0, 3)
-
-    def test_law(self):
-        whole = {"weight": 5e4, "rop": 0.01, "rpm": 6.0, "flow": 0.03, "to_depth": 900.0, "stiffness": 6e5}
-        self.assertEqual(settings_of({**whole, "pressure": None}), whole)
-        with self.assertRaisesRegex(Refused, "^needed: rop, flow$"):
-            settings_of({**whole, "rop": None, "flow": None})
-        box = LawBox(None)
-        with self.assertRaisesRegex(Refused, "does not run"):
-            box.set(whole)
-        self.assertFalse(box.status()["running"])
-
-    def test_a_law_knows_bit_and_motor_by_the_scene(self):
-        settings = {"weight": 6e4, "rop": 0.01, "rpm": 6.0, "flow": 0.03, "to_depth": 900.0, "stiffness": 6e5}
-        parts = [{"type": "bit", "diameter": 0.2}, {"type": "mud_motor", "stall_torque": 3e3, "displacement_per_rev": 0.01}]
-        self.assertAlmostEqual(stall_pressure_of(settings, parts), 0.95 * 2.0 * math.pi * 3e5)
-        self.assertEqual(stall_pressure_of({**settings, "pressure": 1e6}, parts), 1.5e6)
-        parts[1]["efficiency"] = 0.8
-        self.assertAlmostEqual(stall_pressure_of(settings, parts), 0.95 * 2.0 * math.pi * 3e5 / 0.8)
-        self.assertEqual(stall_pressure_of(settings, []), math.inf)
-        self.assertAlmostEqual(law_of(settings, parts).loops["torque"].gain, 1.0 / (6e5 * 0.02 * 5.0))
 
 
 if __name__ == "__main__":

@@ -22,10 +22,10 @@ SERVICES = {"pause": (Trigger, None), "resume": (Trigger, None), "tare": (Trigge
 
 
 class Hands:
-    """`source`: NodeSource. `scene`: gives the parts of the scene's string. Refused where an order cannot be obeyed."""
+    """`source`: NodeSource. `scene`, `parts`: as LawBox has them. Refused where an order cannot be obeyed."""
 
-    def __init__(self, source, scene, streams=None):
-        self.source, self.law, self.streams = source, LawBox(source, scene), streams or Streams()
+    def __init__(self, source, scene, streams=None, parts=lambda: []):
+        self.source, self.law, self.streams = source, LawBox(source, scene, parts), streams or Streams()
         self.holder, self.held_at, self.heard_at, self.notes, self.law_ran = None, 0.0, 0.0, [], False
         self.press, self.tripped = NO_PRESS, None  # of the button that is held; page and press that the dead-man has ended
         source.on_join = self.streams.join

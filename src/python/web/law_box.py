@@ -16,19 +16,22 @@ from std_srvs.srv import Trigger
 # what a page sets, in SI: its bounds, and whether it may be left out
 BOUNDS = {"weight": (1e3, 1e6, False), "rop": (1e-4, 0.1, False), "pressure": (1e4, 5e7, True), "torque": (10.0, 2e5, True),
     "rpm": (0.0, 40.0, False),
-          "flow": (0.0, 1.0, False), "to_depth": (0.0, 2e4, False), "stiffness": (1e4, 1e9, False)}
+          "flow": (0.0, 1.0, False), "to_depth": (0.0, 2e4, False), "stiffness": (1e4, 1e9, True)}
 LOOPS = ("weight", "pressure", "torque")
 TORQUE_PER_DIAMETER = 0.1    # of a newton on the bit [m/m], as in launch/autodriller.launch
+STEEL = 2.06e11              # Young's modulus [Pa]
+USUAL_STIFFNESS = 6e5        # of the string along its axis, where its parts are not known [N/m]
 USUAL_BIT = 0.2159           # diameter where the scene is not known [m]
 PRESSURE_PER_WEIGHT = 18.0   # where the motor is not known [Pa/N]
 ANY = 1e12                   # a loop that is not wanted never leads
 
 
 class LawBox:
-    """`source`: NodeSource, which gives the states. `scene`: gives the parts of the scene's string, as dicts."""
+    """`source`: NodeSource, which gives the states. `scene`: gives the parts of the scene's string, as dicts; `parts`: those of shapes.parts_of()."""
 
-    def __init__(self, source, scene=lambda: []):
-        self.source, self.scene, self.follower, self.settings, self.problem = source, scene, None, {}, ""
+    def __init__(self, source, scene=lambda: [], parts=lambda: []):
+        self.source, self.scene, self.parts = source, scene, parts
+        self.follower, self.settings, self.problem = None, {}, ""
         self.news, self.data = threading.Condition(), None
 
     @property
@@ -39,7 +42,8 @@ class LawBox:
         """By the numbers of BOUNDS. Refused where one runs already or a number is wrong."""
         if self.running:
             raise Refused("the autodriller runs already")
-        self.settings = settings_of(order)
+        depth = self.source.last.bit_depth if self.source.last is not None else 0.0
+        self.settings = {"stiffness": stiffness_of(self.parts(), depth), **settings_of(order)}
         self.follower, self.problem, self.data = Follower(law_of(self.settings, self.scene())), "", None
         self.source.on_state = self.take
         threading.Thread(target=self.run, args=(self.follower,), daemon=True).start()
@@ -58,8 +62,10 @@ class LawBox:
 
     def stop(self):
         with self.news:
-            self.follower, self.source.on_state = None, None
+            follower, self.follower, self.source.on_state = self.follower, None, None
             self.news.notify_all()
+        if follower is not None:
+            follower.end()
 
     def take(self, data):
         """With each message of rig_state, in rospy's thread."""
@@ -103,6 +109,14 @@ def settings_of(order):
     if missing:
         raise Refused("needed: %s" % ", ".join(missing))
     return {name: number_of(order, name, low, high) for name, (low, high, _) in BOUNDS.items() if order.get(name) is not None}
+
+
+def stiffness_of(parts, depth):
+    """Of the string along its axis [N/m]: of its parts in series, as shapes.parts_of() gives them; pipe up to the surface is what is left of the bit's
+    depth."""
+    given = sum(part["length"] for part in parts)
+    yielding = sum((part["length"] or max(depth - given, 1.0)) / (STEEL * 0.25 * math.pi * (part["diameter"]**2 - part["bore"]**2)) for part in parts)
+    return 1.0 / yielding if yielding > 0.0 else USUAL_STIFFNESS
 
 
 def is_due(follower, stamp):

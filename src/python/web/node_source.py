@@ -19,11 +19,11 @@ SILENT = 1.5    # without a message for so long, the node is not heard any more 
 
 class NodeSource:
     """Topics of the process' ROS namespace. `on_state`: called with each message of rig_state, as bytes, in rospy's thread; None: nobody wants it.
-    `on_join`: called whenever a master has been joined."""
+    `on_join`: called whenever a master has been joined. `node`: how this process' node is called."""
     live = True
 
-    def __init__(self, name):
-        self.name, self.on_state, self.on_join = name, None, None
+    def __init__(self, name, node="drill_web"):
+        self.name, self.node, self.on_state, self.on_join = name, node, None, None
         self._lock, self._states, self._truth, self._raw, self._read_at = threading.Lock(), [], [], {}, {}
         self._master, self._subscribers, self._came, self._joined = None, [], None, False
         self._seen = collections.deque(maxlen=600)  # wall time and stamp of each drillstring_state: a topic so slow that nothing waits in it
@@ -50,7 +50,7 @@ class NodeSource:
 
     def _join(self):
         if not self._joined:
-            rospy.init_node("drill_web", anonymous=True, disable_signals=True, disable_rostime=True)
+            rospy.init_node(self.node, anonymous=True, disable_signals=True, disable_rostime=True)
             self._joined = True
         for subscriber in self._subscribers:
             subscriber.unregister()

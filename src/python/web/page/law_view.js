@@ -10,7 +10,6 @@ const SET_POINTS = [["weight", "WOB", "force", 5e4], ["rop", "ROP, at most", "pe
   ["torque", "Torque over free", "torque", null], ["rpm", "Rotary speed", "rotation", 6.2832], ["flow", "Flow", "flow", 0.03], ["to_depth",
     "To depth", "length", null]];
 const LEADS = { weight: "WOB", rop: "ROP", pressure: "differential pressure", torque: "torque" };
-const STEEL = 2.06e11;  // Young's modulus [Pa]
 
 export function buildLaw() {
   const boxes = Object.fromEntries(SET_POINTS.map(([name, label, quantity]) => [name,
@@ -39,7 +38,7 @@ function depthAhead() {
 }
 
 function applyLaw(boxes, type = store.law && store.law.running ? "set_law" : "start_law") {
-  const order = { type, stiffness: stringStiffness() };
+  const order = { type };
   for (const [name, box] of Object.entries(boxes)) {
     const value = box.value();
     if (Number.isNaN(value)) return;
@@ -47,13 +46,4 @@ function applyLaw(boxes, type = store.law && store.law.running ? "set_law" : "st
   }
   send(order);
   for (const box of Object.values(boxes)) box.taken();
-}
-
-/// Of the string along its axis, by its parts [N/m]; drill pipe up to the surface is what is left of the depth.
-function stringStiffness() {
-  const parts = store.parts ? store.parts.parts : [], depth = store.state && store.state.values ? store.state.values.bit_depth[0] : 0;
-  const given = parts.reduce((sum, part) => sum + part.length, 0);
-  const yielding = parts.reduce((sum, part) => sum + (part.length || Math.max(depth - given,
-    1)) / (STEEL * 0.25 * Math.PI * (part.diameter ** 2 - part.bore ** 2)), 0);
-  return yielding > 0 ? 1 / yielding : 6e5;
 }
