@@ -6,6 +6,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "picture/hole_axis.h"
@@ -22,6 +23,22 @@ struct DrawnRig
   std::optional<HoleAxis> axis;
   std::optional<StringData> string;
   std::vector<DrawnNode> nodes;  ///< of the string, where they are drawn
+  struct Fault
+  {
+    std::string name;
+    double md;  ///< NaN: it has no place [m]
+  };
+  std::vector<Fault> faults;  ///< under way
+  struct Law
+  {
+    std::string name, phase, leads;
+    std::vector<std::pair<std::string, double>> set_points;  ///< as ControllerStatus has them
+    std::vector<Eigen::Vector3d> plan;                       ///< empty: it does not steer
+  };
+  std::optional<Law> law;  ///< that commands the rig
+
+  /// The path that the hole is to follow: of the law that steers, else of the scene. Where there is a rig.
+  const std::vector<Eigen::Vector3d>& plan() const noexcept { return law && !law->plan.empty() ? law->plan : rig->plan; }
 
   bool complete() const noexcept { return rig && axis && string && nodes.size() == string->size(); }
   /// The middle of the bit's face as it is drawn. Where complete() alone.

@@ -15,10 +15,12 @@
 #include "fault_controls.h"
 #include "gauge_page.h"
 #include "header_bar.h"
+#include "law_controls.h"
 #include "look.h"
 #include "mud_controls.h"
 #include "pipe_controls.h"
 #include "rig_link.h"
+#include "shared_units.h"
 #include "snapshot_controls.h"
 #include "steering_controls.h"
 #include "time_controls.h"
@@ -84,6 +86,7 @@ DrillersConsole::~DrillersConsole()
 {
   const bool was_held = winch_->is_held();
   winch_->let_go();
+  law_->end();
   timer_->stop();
   if (was_held) QThread::msleep(100);  // the last command is on its way
 }
@@ -120,10 +123,11 @@ void DrillersConsole::make_pages()
   events_ = new EventPage(tabs_);
   settings_ = new SettingsPage(tabs_);
   winch_ = new WinchControls(*link_, tabs_);
+  law_ = new LawControls(*link_, tabs_);
   // who holds the winch watches the string
   const std::vector<Quantity> watched{Quantity::hook_load, Quantity::surface_wob,         Quantity::torque,
                                       Quantity::rop,       Quantity::stand_pipe_pressure, Quantity::block_height};
-  const std::vector<Controls*> of_the_string{winch_, new TopDriveControls(*link_, tabs_), new MudControls(*link_, tabs_),
+  const std::vector<Controls*> of_the_string{winch_, law_, new TopDriveControls(*link_, tabs_), new MudControls(*link_, tabs_),
                                              new SteeringControls(*link_, tabs_)};
   const std::vector<Controls*> of_the_rig{new TimeControls(*link_, tabs_), new PipeControls(*link_, tabs_),
                                           new WellControls(*link_, tabs_), new FaultControls(*link_, tabs_),
@@ -190,8 +194,10 @@ void DrillersConsole::apply_settings()
   const Settings& s = settings_->settings();
   link_->set_truth(s.truth);
   gauges_->set_units(s.units);
+  console_units() = s.units;
   gauges_->show_truth(s.truth);
   chart_->set_units(s.units);
+  events_->set_units(s.units);
   for (Controls* group : controls_) group->set_units(s.units);
   show_news();
 }

@@ -24,6 +24,7 @@ class Controls;
 class EventPage;
 class GaugePage;
 class HeaderBar;
+class LawControls;
 class RigLink;
 class WinchControls;
 }  // namespace console
@@ -69,6 +70,7 @@ private:
   console::EventPage* events_;
   console::SettingsPage* settings_;
   console::WinchControls* winch_;
+  console::LawControls* law_;
   std::vector<console::Controls*> controls_;
   QLabel* answer_;
   console::LinkState state_ = console::LinkState::hidden;

@@ -13,6 +13,8 @@
 #include <tf2_ros/buffer.h>
 
 #include <QGuiApplication>
+#include <algorithm>
+#include <cmath>
 #include <pluginlib/class_list_macros.hpp>
 
 #include "derrick_scene.h"
@@ -90,12 +92,13 @@ void DrillstringDisplay::changeTopic()
 void DrillstringDisplay::changeOptions()
 {
   const std::size_t coloring = options_.coloring;
+  const UnitSystem units = options_.units;
   const bool coarse = options_.coarse;
   options_ = properties_->options();
   options_.coarse = coarse;
   if (!string_scene_) return;
   resolve_exaggeration();
-  if (options_.coloring != coloring)
+  if (options_.coloring != coloring || options_.units != units)
   {
     string_scene_->new_coloring();
     if (model_.complete()) string_scene_->take(model_, options_);
@@ -120,6 +123,8 @@ void DrillstringDisplay::subscribe()
     const auto quickly = ros::TransportHints().tcpNoDelay();
     description_ = update_nh_.subscribe(beside(topic, "rig_description"), 1, &DrillstringDisplay::hear_description, this);
     path_ = update_nh_.subscribe(beside(topic, "trajectory"), 1, &DrillstringDisplay::hear_path, this);
+    truth_ = update_nh_.subscribe(beside(topic, "truth/rig_state"), 1, &DrillstringDisplay::hear_truth, this);
+    controller_ = update_nh_.subscribe(beside(topic, "controller/status"), 1, &DrillstringDisplay::hear_controller, this);
     string_ = update_nh_.subscribe(topic, 1, &DrillstringDisplay::hear, this, quickly);
     setStatus(StatusProperty::Warn, "String", "no message yet");
   }
@@ -135,6 +140,8 @@ void DrillstringDisplay::unsubscribe()
   string_.shutdown();
   description_.shutdown();
   path_.shutdown();
+  truth_.shutdown();
+  controller_.shutdown();
 }
 
 void DrillstringDisplay::clear()
@@ -154,6 +161,8 @@ void DrillstringDisplay::reset()
   clear();
   model_.string.reset();
   model_.nodes.clear();
+  model_.faults.clear();
+  model_.law.reset();
   heard_ = ros::WallTime();
   string_due_ = well_due_ = model_.axis && model_.rig;
   if (isEnabled()) return;
@@ -173,6 +182,19 @@ void DrillstringDisplay::hear_description(const RigDescription::ConstPtr& m)
   well_scene_->forget_trail();
   derrick_scene_->clear();
   resolve_exaggeration();
+  well_due_ = true;
+}
+
+void DrillstringDisplay::hear_truth(const RigTruth::ConstPtr& m)
+{
+  const OwnWork work(cost_);
+  model_.faults = to_faults(*m);
+}
+
+void DrillstringDisplay::hear_controller(const ControllerStatus::ConstPtr& m)
+{
+  const OwnWork work(cost_);
+  model_.law = to_law(*m);
   well_due_ = true;
 }
 
@@ -235,6 +257,12 @@ void DrillstringDisplay::update(float /*wall_dt*/, float /*ros_dt*/)
   if (now - told_ > status_period)
   {
     told_ = now;
+    follow_units();
+    if (model_.law && controller_.getNumPublishers() == 0)  // its node is gone
+    {
+      model_.law.reset();
+      well_due_ = true;
+    }
     tell_status();
     if (placed && options_.legend) show_legend();
     if (placed) show_probe();

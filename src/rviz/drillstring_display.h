@@ -11,8 +11,10 @@
 #include <memory>
 #include <optional>
 
+#include "drill_rig_sim/ControllerStatus.h"
 #include "drill_rig_sim/DrillstringState.h"
 #include "drill_rig_sim/RigDescription.h"
+#include "drill_rig_sim/RigTruth.h"
 #include "drawn_rig.h"
 #include "drillstring_options.h"
 #include "own_work.h"
@@ -34,9 +36,9 @@ class RulerScene;
 class StringScene;
 class WellScene;
 
-/// The drillstring in its well. Hears drillstring_state and, beside it in the same namespace, rig_description and trajectory,
-/// only while it is enabled; how bit, blades and block stand it takes from TF. A message that cannot be drawn is refused, and the
-/// status says why.
+/// The drillstring in its well. Hears drillstring_state and, beside it in the same namespace, rig_description, trajectory,
+/// truth/rig_state and controller/status, only while it is enabled; how bit, blades and block stand it takes from TF. A message
+/// that cannot be drawn is refused, and the status says why.
 class DrillstringDisplay : public rviz::Display
 {
   Q_OBJECT
@@ -67,12 +69,15 @@ private:
   void unsubscribe();
   void hear(const DrillstringState::ConstPtr& m);
   void hear_description(const RigDescription::ConstPtr& m);
+  void hear_controller(const ControllerStatus::ConstPtr& m);
+  void hear_truth(const RigTruth::ConstPtr& m);
   void hear_path(const nav_msgs::Path::ConstPtr& m);
   bool place_floor();
   void draw();
   void turn_parts();
   void tell_status();
   void show_legend();
+  void follow_units();
   void show_probe();
   void apply_camera();
   void resolve_exaggeration();
@@ -81,7 +86,7 @@ private:
   void clear();
 
   std::unique_ptr<DrillstringProperties> properties_;
-  ros::Subscriber string_, description_, path_;
+  ros::Subscriber string_, description_, path_, truth_, controller_;
   DrawnRig model_;
   DrillstringOptions options_;
   std::unique_ptr<StringScene> string_scene_;

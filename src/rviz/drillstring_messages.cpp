@@ -2,6 +2,7 @@
 #include "drillstring_messages.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 
 namespace drill_rig_sim
@@ -76,6 +77,29 @@ RigData to_rig_data(const RigDescription& m)
   d.crown_height = m.crown_height;
   d.sheaves = m.sheaves;
   return d;
+}
+
+std::vector<DrawnRig::Fault> to_faults(const RigTruth& m)
+{
+  std::vector<DrawnRig::Fault> faults;
+  for (std::size_t i = 0; i < m.active_faults.size(); ++i)
+  {
+    std::string name = m.active_faults[i];
+    std::replace(name.begin(), name.end(), '_', ' ');
+    faults.push_back({name, i < m.active_fault_depths.size() ? m.active_fault_depths[i] : NAN});
+  }
+  return faults;
+}
+
+std::optional<DrawnRig::Law> to_law(const ControllerStatus& m)
+{
+  if (!m.running) return std::nullopt;
+  DrawnRig::Law law{m.law, m.phase, m.leads, {}, to_vectors(m.plan)};
+  std::replace(law.name.begin(), law.name.end(), '_', ' ');
+  for (std::size_t i = 0; i < std::min(m.set_point.size(), m.value.size()); ++i)
+    law.set_points.emplace_back(m.set_point[i], m.value[i]);
+  if (!std::all_of(law.plan.begin(), law.plan.end(), [](const Eigen::Vector3d& p) { return p.allFinite(); })) law.plan.clear();
+  return law;
 }
 
 std::string problem_of(const nav_msgs::Path& m)

@@ -10,12 +10,14 @@
 
 #include "drill_rig_sim/DrillstringState.h"
 #include "picture/coloring.h"
+#include "shared_units.h"
 
 namespace drill_rig_sim
 {
 namespace
 {
 const char* const options_changed = SLOT(changeOptions());
+constexpr int as_the_console = -1;  // of the property Units
 
 rviz::FloatProperty* number(const char* name, double value, double least, double most, const char* text, rviz::Property* parent,
                             QObject* receiver)
@@ -49,6 +51,12 @@ void DrillstringProperties::add_looks(rviz::Property* parent, QObject* receiver)
   coloring_ = new rviz::EnumProperty("Coloured by", colorings()[by_default.coloring].name, "What colours the string.", parent,
                                      options_changed, receiver);
   for (std::size_t i = 0; i < colorings().size(); ++i) coloring_->addOption(colorings()[i].name, static_cast<int>(i));
+  units_ = new rviz::EnumProperty("Units", "as the console",
+                                  "Of legend, ruler and probe; \"as the console\": those of the driller's console.", parent,
+                                  options_changed, receiver);
+  units_->addOption("as the console", as_the_console);
+  units_->addOption("SI", static_cast<int>(UnitSystem::si));
+  units_->addOption("oilfield", static_cast<int>(UnitSystem::oilfield));
   full_scale_ = number("Full scale", by_default.full_scale, 0.0, 1e9, "Of the colours, in the legend's unit; 0: automatic.",
                        parent, receiver);
   exaggeration_ =
@@ -88,6 +96,7 @@ void DrillstringProperties::add_switches(rviz::Property* parent, QObject* receiv
           "Where the bit was since the display was switched on, as it moved; the drilled path is that after the correction.");
   ruler_ = add("Ruler", "Measured depth along the hole, casing shoe, layers.");
   parts_ = add("Part names", "Where the picture is large enough.");
+  faults_ = add("Faults", "Where they are: stuck pipe, pack-off, wash-outs and others with a depth; the legend lists all.");
   derrick_ = add("Derrick", "With block, lines and top drive.");
   legend_ = add("Legend", "Colours, units, depths.");
 }
@@ -114,7 +123,15 @@ DrillstringOptions DrillstringProperties::options() const
   o.parts = parts_->getBool();
   o.derrick = derrick_->getBool();
   o.legend = legend_->getBool();
+  o.faults = faults_->getBool();
+  o.units = units();
   return o;
+}
+
+UnitSystem DrillstringProperties::units() const
+{
+  const int chosen = units_->getOptionInt();
+  return chosen == as_the_console ? console_units() : static_cast<UnitSystem>(chosen);
 }
 
 std::string DrillstringProperties::topic() const

@@ -31,6 +31,8 @@ public:
   DrillstringOptions options() const;
   std::string topic() const;
   void set_topic(const std::string& topic);
+  /// Of the property, or of the console.
+  UnitSystem units() const;
   /// The camera asked for; none: as it is.
   std::optional<Preset> preset() const;
   bool follow() const;
@@ -40,11 +42,11 @@ private:
   void add_switches(rviz::Property* parent, QObject* receiver);
 
   rviz::RosTopicProperty* topic_;
-  rviz::EnumProperty *coloring_, *camera_, *wall_;
+  rviz::EnumProperty *coloring_, *units_, *camera_, *wall_;
   rviz::FloatProperty *full_scale_, *exaggeration_, *force_scale_, *cased_to_;
   rviz::IntProperty* sides_;
   rviz::BoolProperty *true_diameter_, *follow_, *string_, *blades_, *layers_, *forces_, *plan_, *stations_, *trail_, *ruler_,
-      *parts_, *derrick_, *legend_;
+      *parts_, *derrick_, *legend_, *faults_;
 };
 
 }  // namespace drill_rig_sim

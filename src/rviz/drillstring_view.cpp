@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "console/law_points.h"
 #include "drillstring_display.h"
 #include "drillstring_properties.h"
 #include "label_set.h"
@@ -32,9 +33,11 @@ using rviz::StatusProperty;
 constexpr double coarse_pixel = 0.3;  // from this size of a pixel on little detail is drawn [m]
 constexpr double old_age = 2.0;       // of the last message, from which on the status warns [s]
 
-QString number(double value, int digits, const char* unit)
+/// A number of SI with its unit, with as many decimals as are usual for it, or with `digits`.
+QString shown(double si, Dimension dimension, UnitSystem units, int digits = -1)
 {
-  return QString::number(value, 'f', digits) + " " + unit;
+  const Unit& unit = unit_of(dimension, units);
+  return QString::number(si * unit.per_si, 'f', digits < 0 ? unit.decimals : digits) + " " + unit.name;
 }
 
 using Rows = std::vector<std::pair<QString, QString>>;
@@ -55,6 +58,18 @@ QString in_words(const QString& title, const Rows& rows)
   QStringList words;
   for (const auto& [what, value] : rows) words << what + " " + value;
   return title + ": " + words.join(", ");
+}
+
+/// Name and phase of a law that commands the rig, and its set points; the one that leads is marked.
+void add_law(const DrawnRig::Law& law, UnitSystem units, Rows& rows)
+{
+  rows.emplace_back(QString::fromStdString(law.name), QString::fromStdString(law.phase));
+  for (const auto& [name, value] : law.set_points)
+  {
+    const console::LawPoint* point = console::law_point(name);
+    if (point == nullptr) continue;
+    rows.emplace_back(QString(name == law.leads ? "> " : "  ") + point->label, shown(value, point->dimension, units));
+  }
 }
 
 double blend(const std::vector<double>& values, const Between& at)
@@ -87,24 +102,42 @@ void DrillstringDisplay::show_legend()
   if (!model_.complete()) return legend_->hide();
   const Coloring& coloring = colorings()[options_.coloring];
   Legend legend;
-  legend.title = QString(coloring.name) + (*coloring.unit ? QString(" [%1]").arg(coloring.unit) : QString());
+  const UnitSystem units = options_.units;
+  const QString unit = *coloring.remark ? coloring.remark : unit_of(coloring.dimension, units).name;
+  legend.title = QString(coloring.name) + (unit.isEmpty() ? QString() : QString(" [%1]").arg(unit));
   legend.scale = string_scene_->scale(options_);
   if (coloring.levels) legend.classes = {{"free in all directions", level_color(0.0)}, {"guided by the hole", level_color(1.0)}};
-  legend.rows = {{"bit", number(model_.bit_md(), 2, "m")}, {"hole", number(model_.axis->depth(), 2, "m")}};
+  for (const DrawnRig::Fault& fault : model_.faults)
+    legend.rows.emplace_back("! " + QString::fromStdString(fault.name),
+                             std::isnan(fault.md) ? QString() : shown(fault.md, Dimension::length, units));
+  legend.rows.emplace_back("bit", shown(model_.bit_md(), Dimension::length, units));
+  legend.rows.emplace_back("hole", shown(model_.axis->depth(), Dimension::length, units));
   const PlanDistance& plan = well_scene_->plan_distance();
-  if (plan.there) legend.rows.emplace_back("off the plan", number(plan.distance, 2, "m"));
+  if (plan.there) legend.rows.emplace_back("off the plan", shown(plan.distance, Dimension::length, units));
   legend.rows.emplace_back("across the hole", "x " + QString::number(options_.exaggeration, 'g', 4));
   if (options_.forces)
   {
-    legend.rows.emplace_back("largest side force", number(1e-3 * string_scene_->largest_force(), 2, "kN/m"));
+    legend.rows.emplace_back("largest side force", shown(string_scene_->largest_force(), Dimension::force_per_length, units,
+                                                         units == UnitSystem::si ? 2 : 4));
     if (string_scene_->largest_force() > 1.0)
-      legend.rows.emplace_back("its scale", QString::number(1e3 * string_scene_->force_scale(), 'g', 3) + " m per kN/m");
+    {
+      const Unit &length = unit_of(Dimension::length, units), &force = unit_of(Dimension::force_per_length, units);
+      legend.rows.emplace_back("its scale", QStringLiteral("%1 %2 per %3")
+                                                .arg(string_scene_->force_scale() * length.per_si / force.per_si, 0, 'g', 3)
+                                                .arg(length.name, force.name));
+    }
   }
+  if (model_.law) add_law(*model_.law, units, legend.rows);
   const double age = heard_.isZero() ? 0.0 : (ros::WallTime::now() - heard_).toSec();
-  if (age > old_age) legend.rows.emplace_back("no message for", number(age, 0, "s"));
+  if (age > old_age) legend.rows.emplace_back("no message for", QString::number(age, 'f', 0) + " s");
   setStatus(StatusProperty::Ok, "Colours", in_words(legend));
   setStatus(StatusProperty::Ok, "Legend", in_words("below the colours", legend.rows));
   legend_->show(paint_legend(legend));
+}
+
+void DrillstringDisplay::follow_units()
+{
+  if (properties_->units() != options_.units) changeOptions();
 }
 
 bool DrillstringDisplay::probe(const Ogre::Ray& ray, double slope)
@@ -144,19 +177,21 @@ void DrillstringDisplay::show_probe()
   const std::vector<double> bounds = part_bounds(model_.rig->parts, s.from_bit.back());
   std::size_t part = 0;
   while (part + 1 < model_.rig->parts.size() && from_bit > bounds[part + 1]) ++part;
-  const double side = 57.29577951308232 * s.contact_side[probed_->node];
   const QString name = QString::fromStdString(model_.rig->parts[part].name);
-  const Rows rows = {{"measured depth", number(blend(s.md, *probed_), 2, "m")},
-                     {"from the bit", number(from_bit, 2, "m")},
-                     {"tension", number(1e-3 * blend(s.tension, *probed_), 1, "kN")},
-                     {"torque", number(1e-3 * blend(s.torque, *probed_), 2, "kN m")},
-                     {"bending moment", number(1e-3 * blend(s.bending_moment, *probed_), 2, "kN m")},
-                     {"bending stress", number(1e-6 * blend(s.bending_stress, *probed_), 1, "MPa")},
-                     {"contact force", number(1e-3 * blend(side_force(s), *probed_), 3, "kN/m")},
-                     {"its side", s.contact_force[probed_->node] > 0.0 ? number(side, 0, "deg") : QString("-")},
-                     {"spin", number(blend(s.spin_speed, *probed_) / 0.10471975511965977, 1, "rpm")},
-                     {"buckling", QString::number(blend(s.buckling, *probed_), 'f', 2)},
-                     {"modelled", s.guided[probed_->node] ? "guided" : "free"}};
+  const UnitSystem units = options_.units;
+  const Rows rows = {
+      {"measured depth", shown(blend(s.md, *probed_), Dimension::length, units)},
+      {"from the bit", shown(from_bit, Dimension::length, units)},
+      {"tension", shown(blend(s.tension, *probed_), Dimension::force, units)},
+      {"torque", shown(blend(s.torque, *probed_), Dimension::torque, units)},
+      {"bending moment", shown(blend(s.bending_moment, *probed_), Dimension::torque, units)},
+      {"bending stress", shown(blend(s.bending_stress, *probed_), Dimension::specific_energy, units)},
+      {"contact force", shown(blend(side_force(s), *probed_), Dimension::force_per_length, units, 3)},
+      {"its side",
+       s.contact_force[probed_->node] > 0.0 ? shown(s.contact_side[probed_->node], Dimension::angle, units, 0) : QString("-")},
+      {"spin", shown(blend(s.spin_speed, *probed_), Dimension::rotation, units)},
+      {"buckling", QString::number(blend(s.buckling, *probed_), 'f', 2)},
+      {"modelled", s.guided[probed_->node] ? "guided" : "free"}};
   setStatus(StatusProperty::Ok, "Probe", in_words(name, rows));
   probe_panel_->show(paint_table(name, rows));
 }

@@ -8,6 +8,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "look.h"
 
@@ -93,7 +94,7 @@ std::vector<EventPage::Line> EventPage::lines_of(const RigState* state, const Ri
   for (const FlagRow& row : flag_rows())
     if (flags[static_cast<std::size_t>(row.flag)] && row.flag != Flag::accuracy_warning) lines.push_back({row.text, row.level});
   if (state != nullptr)
-    for (const QString& fault : faults_) lines.push_back({"fault: " + fault, Level::caution});
+    for (int n = 0; n < faults_.size(); ++n) lines.push_back({fault_text(n), Level::caution});
   for (const Alarm& alarm : alarms_.latched())  // after what is the case now
     if (!flags[static_cast<std::size_t>(alarm.flag)])
       lines.push_back(
@@ -141,12 +142,20 @@ void EventPage::log_faults(const RigTruth& truth)
 {
   QStringList faults;
   for (const std::string& fault : truth.active_faults) faults << QString::fromStdString(fault).replace('_', ' ');
+  fault_depths_ = truth.active_fault_depths;
   if (faults == faults_) return;
-  for (const QString& fault : faults)
-    if (!faults_.contains(fault)) log("fault: " + fault, Level::caution);
-  for (const QString& fault : faults_)
+  const QStringList before = std::exchange(faults_, faults);
+  for (int n = 0; n < faults.size(); ++n)
+    if (!before.contains(faults[n])) log(fault_text(n), Level::caution);
+  for (const QString& fault : before)
     if (!faults.contains(fault)) log("over: fault: " + fault, Level::normal);
-  faults_ = faults;
+}
+
+QString EventPage::fault_text(int n) const
+{
+  const auto k = static_cast<std::size_t>(n);
+  const double depth = k < fault_depths_.size() ? fault_depths_[k] : missing;
+  return "fault: " + faults_[n] + (std::isnan(depth) ? QString() : " at " + shown_text(depth, Dimension::length, units_));
 }
 
 void EventPage::log_operation(const RigState& state)

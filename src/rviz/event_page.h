@@ -29,6 +29,8 @@ public:
   void take(const std::vector<RigStateConstPtr>& states, const std::vector<RigTruthConstPtr>& truths);
   /// Shows the present flags and remarks; null: no reading, or one that is late.
   void show_state(const RigState* state, const RigTruth* truth, const Diagnosis& diagnosis);
+  /// Of the depths of faults.
+  void set_units(UnitSystem system) { units_ = system; }
   /// A line of the log.
   void log(const QString& text, Level level);
   /// How many warnings there are now, unacknowledged alarms included.
@@ -46,6 +48,8 @@ private:
   std::vector<Line> lines_of(const RigState* state, const RigTruth* truth, const Diagnosis& diagnosis) const;
   void log_alarms(double time, const Flags& flags);
   void log_faults(const RigTruth& truth);
+  /// "fault: stuck pipe at 612.3 m".
+  QString fault_text(int n) const;
   void log_operation(const RigState& state);
   void log_connection(const RigState& state);
   void show_accuracy(const QString& text);
@@ -58,7 +62,9 @@ private:
   Flags truth_flags_;
   AlarmLog alarms_;
   ConnectionLog connections_;
-  QStringList faults_;  // under way
+  QStringList faults_;                // under way
+  std::vector<double> fault_depths_;  // of each [m]; NaN: it has no place
+  UnitSystem units_ = UnitSystem::si;
   QString operation_, shown_;
   int warnings_ = 0;
   QString gravest_ = "No warnings";

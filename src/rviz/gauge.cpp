@@ -82,6 +82,12 @@ QString Gauge::state_text() const
   return text;
 }
 
+QString Gauge::margin_text() const
+{
+  if (!is_pulled() || std::isnan(margin_)) return {};
+  return margin_ > 0.0 ? shown_text(margin_, Dimension::force, system_) + " to yield" : QString("beyond yield");
+}
+
 void Gauge::show_value(double value, const char* why, bool lost, bool stale, const Limits& limits)
 {
   if (std::isfinite(value))
@@ -101,14 +107,16 @@ void Gauge::show_value(double value, const char* why, bool lost, bool stale, con
   scale_ = scale;
   level_ = level_of(value, limits_);
   if (is_pulled()) level_ = std::max(level_, Level::caution);
-  const QString text = state_text();
+  const QString text = state_text(), margin = margin_text();
   const int bar = is_filled() ? static_cast<int>(std::lround(place(value, rect()))) : -1;
   const char* const words[] = {"", " caution", " alarm"};
   const QString description = QString(is_pulled() ? "over-pull " : "") + text + (shows_error() ? " " + error_text_ : QString()) +
-                              words[static_cast<int>(level_)] + (stale_ ? " stale" : "");
+                              (margin.isEmpty() ? QString() : ", " + margin) + words[static_cast<int>(level_)] +
+                              (stale_ ? " stale" : "");
   if (description != accessibleDescription()) setAccessibleDescription(description);
-  differs = differs || text != text_ || bar != bar_;
+  differs = differs || text != text_ || margin != margin_text_ || bar != bar_;
   text_ = text;
+  margin_text_ = margin;
   bar_ = bar;
   if (differs) update();
 }
@@ -157,8 +165,17 @@ void Gauge::paint_texts(QPainter& painter, const QRect& area)
   painter.setPen(QColor(look::faint));
   QString label = is_pulled() ? QString("Over-pull") : QString(row_.label);
   if (is_filled() && !stale_ && level_ != Level::normal) label.prepend(QString::fromUtf8(level_ == Level::alarm ? "▲ " : "△ "));
-  const int label_width = painter.fontMetrics().horizontalAdvance(label);
-  painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter, label);
+  int label_width = painter.fontMetrics().horizontalAdvance(label);
+  painter.drawText(line, Qt::AlignLeft | (margin_text_.isEmpty() ? Qt::AlignVCenter : Qt::AlignTop), label);
+  if (!margin_text_.isEmpty())
+  {
+    QFont fine = small;
+    fine.setPixelSize(std::min(small.pixelSize(), 10));
+    painter.setFont(fine);
+    painter.drawText(line, Qt::AlignLeft | Qt::AlignBottom, margin_text_);
+    label_width = std::max(label_width, painter.fontMetrics().horizontalAdvance(margin_text_));
+    painter.setFont(small);
+  }
   QRect room = line.adjusted(label_width + 6, 0, 0, 0);
   if (shows_error())
   {

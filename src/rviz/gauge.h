@@ -11,7 +11,8 @@ namespace drill_rig_sim::console
 {
 /// One value: its number large with its measured error small behind it, a bar with zones of caution and alarm below it, and the
 /// truth as a faint line if asked for. A caution has the sign "△" before its name, an alarm "▲". A negative weight on bit is
-/// shown as over-pull. Its accessible name is "KIND KEY", its accessible description what it shows.
+/// shown as over-pull, with the margin to yield if it is known. Its accessible name is "KIND KEY", its accessible description
+/// what it shows.
 class Gauge : public QWidget
 {
   Q_OBJECT
@@ -27,6 +28,8 @@ public:
   void show_value(double value, const char* why, bool lost, bool stale, const Limits& limits);
   /// Measured error of the simulation [SI]; NaN: not measured.
   void set_error(double error);
+  /// Further pull that the string bears before it yields [N], shown beside an over-pull; NaN: not known.
+  void set_margin(double margin) { margin_ = margin; }
   /// The truth; NaN: unknown.
   void set_truth(double value);
   /// A mark below the bar, with what it means; NaN: none.
@@ -47,6 +50,8 @@ private:
   QString state_text() const;
   /// Surface weight on bit far below 0: the string is pulled, and the gauge shows the over-pull.
   bool is_pulled() const;
+  /// "930.0 kN to yield"; "" unless the string is pulled and the margin known.
+  QString margin_text() const;
   bool shows_error() const { return is_filled() && !error_text_.isEmpty(); }
   void paint_texts(QPainter& painter, const QRect& area);
   void paint_bar(QPainter& painter, const QRect& area);
@@ -54,13 +59,14 @@ private:
 
   const QuantityRow& row_;
   UnitSystem system_ = UnitSystem::si;
-  double value_ = missing, error_ = missing, truth_ = missing, mark_ = missing, least_ = missing, most_ = missing;
+  double value_ = missing, error_ = missing, truth_ = missing, mark_ = missing, margin_ = missing, least_ = missing,
+         most_ = missing;
   const char* why_ = "no reading";
   bool lost_ = false, stale_ = true, shows_truth_ = false;
   Limits limits_;
   Scale scale_;
   Level level_ = Level::normal;
-  QString text_, error_text_, truth_text_;
+  QString text_, margin_text_, error_text_, truth_text_;
   int bar_ = -1;  // pixel where it ends
 };
 

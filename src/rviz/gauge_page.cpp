@@ -90,6 +90,7 @@ void GaugePage::show_news(const News& news, const Values& readings, const Values
     if (gauge->quantity() == Quantity::hook_load) gauge->set_mark(free_weight, "hook load when WOB was zeroed");
     gauge->set_truth(truth.value[n]);
     gauge->set_error(readings.error[n]);
+    gauge->set_margin(news.diagnosis.pull_to_yield);
     gauge->show_value(readings.value[n], readings.why[n], readings.lost[n], stale, limits_of(gauge->quantity(), rig, own));
   }
   show_block(news, rig, stale);

@@ -8,6 +8,7 @@
 
 #include "drill_rig_sim/Accuracy.h"
 #include "drill_rig_sim/BitTruth.h"
+#include "drill_rig_sim/ControllerStatus.h"
 #include "drill_rig_sim/DownholeDynamics.h"
 #include "drill_rig_sim/MwdInclination.h"
 #include "drill_rig_sim/MwdSurvey.h"
@@ -27,6 +28,7 @@ struct Diagnosis
 {
   RunState run_state = RunState::unknown;
   double real_time_factor = missing, speed = 1.0;
+  double pull_to_yield = missing;                 // further pull that the string bears [N]
   std::string time, physics, accuracy, commands;  // its summaries; empty: all is well
 };
 
@@ -38,6 +40,7 @@ struct News
   BitTruthConstPtr bit;
   RigLimitsConstPtr limits;
   AccuracyConstPtr accuracy;
+  ControllerStatusConstPtr controller;  // of a law; null also where the last law's node is gone
   MwdSurveyConstPtr survey;
   MwdInclinationConstPtr inclination;
   DownholeDynamicsConstPtr dynamics;

@@ -130,6 +130,8 @@ void RigLink::stop()
   subscribers_.clear();
   of_truth_.clear();
   states_.shutdown();
+  controller_.shutdown();
+  news_.controller.reset();
   taken_.clear();
   taken_truths_.clear();
 }
@@ -143,6 +145,9 @@ void RigLink::subscribe()
     if (truth_) news_.truth = m;
   };
   subscribers_.push_back(node_->subscribe<RigTruth>("truth/rig_state", longest_queue, take_truth));
+  const boost::function<void(const ControllerStatusConstPtr&)> take_controller = [this](const ControllerStatusConstPtr& m)
+  { news_.controller = m; };
+  controller_ = node_->subscribe<ControllerStatus>("controller/status", 10, take_controller);
   hear("rig_limits", news_.limits);
   hear("accuracy", news_.accuracy);
   hear("downhole/mwd", news_.survey);
@@ -225,7 +230,10 @@ void RigLink::take_diagnostics(const diagnostic_msgs::DiagnosticArrayConstPtr& m
       diagnostics_heard_ = Clock::now();
     }
     else if (ends_with(status.name, ": physics"))
+    {
       d.physics = text;
+      d.pull_to_yield = number_of(value_of(status, "pull_to_yield"), missing);
+    }
     else if (ends_with(status.name, ": accuracy"))
       d.accuracy = text;
     else if (ends_with(status.name, ": commands"))
@@ -239,6 +247,7 @@ void RigLink::poll()
   queue_.callAvailable();
   if (Clock::now() - looked_ < between_looks) return;
   looked_ = Clock::now();
+  if (controller_.getNumPublishers() == 0) news_.controller.reset();  // a law whose node is gone does not run
   look_around();
 }
 
@@ -307,17 +316,25 @@ bool RigLink::send(Outlet& outlet, const QString& what, const Message& message)
   return true;
 }
 
+bool RigLink::is_free(const QString& what)
+{
+  if (!busy_.isEmpty()) Q_EMIT said(what, false, "not sent: " + busy_);
+  return busy_.isEmpty();
+}
+
 bool RigLink::command(const WinchCommand& command)
 {
-  return send(winch_, "winch", command);
+  const bool sent = send(winch_, "winch", command);
+  if (sent) Q_EMIT winch_commanded();
+  return sent;
 }
 bool RigLink::command(const TopDriveCommand& command)
 {
-  return send(top_drive_, "top drive", command);
+  return is_free("top drive") && send(top_drive_, "top drive", command);
 }
 bool RigLink::command(const MudPumpCommand& command)
 {
-  return send(pump_, "mud pump", command);
+  return is_free("mud pump") && send(pump_, "mud pump", command);
 }
 bool RigLink::command(const SteeringCommand& command)
 {

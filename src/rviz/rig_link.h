@@ -62,10 +62,12 @@ public:
   double age() const;
 
   /// Commands: false, and `said`, where they have no subscriber.
-  bool command(const WinchCommand& command);
+  bool command(const WinchCommand& command);  // `winch_commanded` where it was sent
   bool command(const TopDriveCommand& command);
   bool command(const MudPumpCommand& command);
   bool command(const SteeringCommand& command);
+  /// Why top drive and pump take no command at present, as while a law of the console has them; empty: they do.
+  void set_busy(const QString& why) { busy_ = why; }
   /// Calls a service of the rig by its relative name; the answer comes as `said`.
   template <class Service>
   void call(const QString& name, const Service& service, double patience = 10.0)
@@ -81,6 +83,7 @@ Q_SIGNALS:
   /// Answer of a service, or why a command was not sent.
   void said(const QString& what, bool success, const QString& text);
   void states(const QStringList& names);
+  void winch_commanded();
   /// Another rig from now on, or none.
   void changed();
 
@@ -100,6 +103,7 @@ private:
   template <class Message>
   bool send(Outlet& outlet, const QString& what, const Message& message);
   bool is_heard(const Outlet& outlet) const;
+  bool is_free(const QString& what);
   bool can_call(const QString& name);
   void subscribe();
   void subscribe_truth();
@@ -115,7 +119,8 @@ private:
   ros::CallbackQueue queue_;
   std::unique_ptr<ros::NodeHandle> node_;
   std::vector<ros::Subscriber> subscribers_, of_truth_;
-  ros::Subscriber states_;
+  ros::Subscriber states_, controller_;
+  QString busy_;
   Outlet winch_, top_drive_, pump_, steering_;
   std::string rig_node_;  // that simulates; empty: not known yet
   std::vector<RigStateConstPtr> taken_;

@@ -15,7 +15,7 @@
 namespace drill_rig_sim
 {
 /// A ruler of measured depth along the hole, as fine as the picture is large, and the names of what is seen: parts, casing shoe,
-/// layers, distance to the plan. All of it goes by the camera.
+/// layers, faults under way, distance to the plan. All of it goes by the camera.
 class RulerScene
 {
 public:
@@ -43,11 +43,15 @@ private:
     Eigen::Vector3d beside(const AxisPoint& p) const;
   };
   Sight sight_of(const Ogre::Camera& camera) const;
+  /// Whether a text of this width would stand on what is covered [pixels].
+  bool is_covered(const Ogre::Vector2& here, double width) const;
   /// Adds a label unless it would stand on another one, or on what is covered.
   void add_label(const std::string& text, const Eigen::Vector3d& place, const Color& color, const Sight& sight);
   void add_ruler(const DrawnRig& model, const DrillstringOptions& options, const Sight& sight);
   void add_probed(const DrawnRig& model, const DrillstringOptions& options, const Between& probed, const Sight& sight);
   void add_parts(const DrawnRig& model, const DrillstringOptions& options, const Sight& sight);
+  /// Where faults are under way, by name and depth.
+  void add_faults(const DrawnRig& model, const DrillstringOptions& options, const Sight& sight);
   void add_well(const DrawnRig& model, const DrillstringOptions& options, const PlanDistance& plan, const Sight& sight);
 
   Ogre::SceneManager* manager_;

@@ -85,13 +85,14 @@ void StringScene::new_rig(const DrawnRig& model)
 
 void StringScene::take(const DrawnRig& model, const DrillstringOptions& options)
 {
-  range_.take(values_of(options.coloring, *model.string), colorings()[options.coloring].share);
+  range_.take(values_of(options.coloring, *model.string, options.units), colorings()[options.coloring].share);
 }
 
 ColorScale StringScene::scale(const DrillstringOptions& options) const
 {
-  const ColorScale automatic = range_.scale();
-  const double fixed = options.full_scale > 0.0 ? options.full_scale : colorings()[options.coloring].fixed_high;
+  const Coloring& coloring = colorings()[options.coloring];
+  const ColorScale automatic = at_least(range_.scale(), coloring, options.units);
+  const double fixed = options.full_scale > 0.0 ? options.full_scale : coloring.fixed_high;
   return fixed > 0.0 ? ColorScale(automatic.low() < 0.0 ? -fixed : 0.0, fixed) : automatic;
 }
 
@@ -104,7 +105,7 @@ void StringScene::draw(const DrawnRig& model, const DrillstringOptions& options)
     const bool levels = colorings()[options.coloring].levels;
     const auto color = [&](double value) { return levels ? level_color(value) : scale.at(value); };
     const double thickness = options.true_diameter ? 1.0 : options.exaggeration;
-    tube_.set(shape_.rings(model.nodes, values_of(options.coloring, *model.string), color, thickness),
+    tube_.set(shape_.rings(model.nodes, values_of(options.coloring, *model.string, options.units), color, thickness),
               options.coarse ? std::min(options.sides, coarse_sides) : options.sides);
   }
   tube_.show(options.string);

@@ -99,12 +99,12 @@ void WellScene::draw_wall(const DrawnRig& model, const DrillstringOptions& optio
 void WellScene::draw_paths(const DrawnRig& model, const DrillstringOptions& options)
 {
   mesh_.clear();
-  plan_distance_ = distance_to_plan(model.rig->plan, model.axis->points().back().position);
+  plan_distance_ = distance_to_plan(model.plan(), model.axis->points().back().position);
   if (options.plan)
   {
     const std::vector<AxisPoint>& points = model.axis->points();
     for (std::size_t i = 0; i + 1 < points.size(); ++i) mesh_.add_line(points[i].position, points[i + 1].position, drilled);
-    add_dashes(mesh_, model.rig->plan, 2.0, planned);
+    add_dashes(mesh_, model.plan(), 2.0, planned);
     if (plan_distance_.there) mesh_.add_line(points.back().position, plan_distance_.nearest, off_plan);
   }
   paths_.set(mesh_);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the driller's console shows of a running rig: gauges, units, truth, warnings, chart.
 #include <QFileDialog>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QMenu>
 #include <QTableWidget>
@@ -219,6 +220,15 @@ TEST_F(Readings, APullIsNotShownAsAWeight)
       << console.shows("watch surface_wob").toStdString();
   EXPECT_TRUE(console.shows("watch surface_wob").contains("caution"));
   EXPECT_GT(console.shows("watch surface_wob").section(' ', 1, 1).toDouble(), 0.0);
+  // 5 in pipe yields at 2465 kN, less what hangs on it
+  ASSERT_TRUE(wait_until([&] { return console.shows("watch surface_wob").contains(" kN to yield"); }))
+      << console.shows("watch surface_wob").toStdString();
+  const double margin = console.shows("watch surface_wob").section(", ", 1).section(' ', 0, 0).toDouble();
+  EXPECT_GT(margin, 1800.0);
+  EXPECT_LT(margin, 2465.0);
+  auto* warnings = console.get<QListWidget>("warnings now");
+  EXPECT_TRUE(wait_until([&] { return !warnings->findItems("fault: stuck pipe at 1", Qt::MatchContains).isEmpty(); }))
+      << "by its depth";
   console.window().grab().save(out_folder() + "/console_over_pull.png");
   QTest::mouseRelease(console.get("winch raise"), Qt::LeftButton);
 }

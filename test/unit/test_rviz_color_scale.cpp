@@ -156,6 +156,25 @@ TEST(Coloring, eachIsItsOwnQuantityInItsUnit)
   ASSERT_EQ(expected.size(), colorings().size());
   for (std::size_t i = 0; i < expected.size(); ++i)
     EXPECT_NEAR(expected[i], values_of(i, d).front(), 1e-12) << colorings()[i].name;
+  // klbf, kft.lbf, ksi, klbf/ft, rpm: 1 lbf = 4.4482216 N, 1 ft = 0.3048 m, 1 psi = 6894.757 Pa
+  const std::vector<double> oilfield{
+      2.0 / 4.4482216, 3.0 / (4.4482216 * 0.3048), 4.0 / 6.894757, 5.0 / (4.4482216 / 0.3048), 60.0, 0.7, 1.0};
+  for (std::size_t i = 0; i < oilfield.size(); ++i)
+    EXPECT_NEAR(oilfield[i], values_of(i, d, UnitSystem::oilfield).front(), 1e-6) << colorings()[i].name;
+}
+
+// A vertical hole without contact: side forces of 1e-9 N/m would be a scale of ticks "0.000000000".
+TEST(Coloring, whatIsOnlyRoundingHasNoScaleOfItsOwn)
+{
+  const Coloring& contact = colorings()[3];
+  const ColorScale none = at_least(ColorScale(0.0, 2e-12), contact, UnitSystem::si);
+  EXPECT_EQ(0.0, none.low());
+  EXPECT_DOUBLE_EQ(0.01, none.high()) << "kN/m";
+  EXPECT_DOUBLE_EQ(0.001, at_least(ColorScale(0.0, 2e-12), contact, UnitSystem::oilfield).high()) << "klbf/ft, round";
+  const Coloring& tension = colorings()[0];
+  EXPECT_EQ(0.0, at_least(ColorScale(-0.5, 500.0), tension, UnitSystem::si).low());
+  EXPECT_EQ(-2.0, at_least(ColorScale(-2.0, 500.0), tension, UnitSystem::si).low());
+  EXPECT_EQ(500.0, at_least(ColorScale(-2.0, 500.0), tension, UnitSystem::si).high());
 }
 
 }  // namespace drill_rig_sim::test_rviz_color_scale

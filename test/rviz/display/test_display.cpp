@@ -25,78 +25,23 @@
 #include <functional>
 #include <memory>
 
-#include "drill_rig_sim/DrillstringState.h"
-#include "drill_rig_sim/RigDescription.h"
+#include "drill_rig_sim/ControllerStatus.h"
+#include "drill_rig_sim/RigTruth.h"
+#include "known_string.h"
 #include "rviz/picture/coloring.h"
 
 using drill_rig_sim::Color;
 using drill_rig_sim::ColorScale;
+using drill_rig_sim::ControllerStatus;
 using drill_rig_sim::DrillstringState;
 using drill_rig_sim::RigDescription;
+using drill_rig_sim::RigTruth;
+using namespace known_string;
 
 namespace
 {
 constexpr double patience = 60.0;  // wall seconds that anything may take on a loaded machine
-constexpr double depth = 1000.0, spacing = 10.0, rpm = 2.0 * M_PI / 60.0;
 constexpr int width = 800, height = 700;
-
-/// `deeper`: than 1000 m [m].
-DrillstringState string(double deeper)
-{
-  DrillstringState m;
-  m.header.frame_id = "rig_floor";
-  for (double from_bit = 0.0; from_bit <= depth; from_bit += spacing)
-  {
-    m.from_bit.push_back(from_bit);
-    m.md.push_back(depth + deeper - from_bit);
-    m.position.emplace_back();
-    m.position.back().z = from_bit - depth - deeper;
-    m.tension.push_back(1e3 * from_bit);
-    m.true_axial_force.push_back(0.0);
-    m.torque.push_back(-3e3 + 15.0 * from_bit);
-    m.bending_moment.push_back(4.0 * from_bit);
-    m.bending_stress.push_back(1.5e5 * from_bit);
-    m.contact_force.push_back(0.7 * from_bit);
-    m.contact_side.push_back(0.5 * M_PI);
-    m.spin_speed.push_back(0.12 * rpm * from_bit);
-    m.buckling_factor.push_back(8e-4 * from_bit);
-    m.guided.push_back(from_bit >= 500.0);
-  }
-  return m;
-}
-
-RigDescription description()
-{
-  RigDescription m;
-  m.header.frame_id = "rig_floor";
-  m.part_name = {"bit", "collar", "pipe"};
-  m.part_type = {RigDescription::BIT, RigDescription::COLLAR, RigDescription::PIPE};
-  m.part_length = {0.3, 99.7, 0.0};
-  m.part_joint_length = {0.3, 9.97, 9.5};
-  m.part_diameter = {0.2159, 0.165, 0.127};
-  m.part_bore = {0.0, 0.07, 0.1};
-  m.part_widest = {0.2159, 0.165, 0.168};
-  m.section_bottom = {2000.0};
-  m.section_diameter = {0.2159};
-  m.layer_base = {5000.0};
-  m.layer_drillability = {1e-8};
-  m.crown_height = 46.0;
-  m.sheaves = 6;
-  return m;
-}
-
-nav_msgs::Path path()
-{
-  nav_msgs::Path m;
-  m.header.frame_id = "rig_floor";
-  for (double md = 0.0; md <= depth + 1.0; md += 1.0)
-  {
-    m.poses.emplace_back();
-    m.poses.back().pose.position.z = -md;
-    m.poses.back().pose.orientation.y = m.poses.back().pose.orientation.w = std::sqrt(0.5);  // x axis down
-  }
-  return m;
-}
 
 QString out_folder()
 {
@@ -116,6 +61,7 @@ protected:
     description_ = node_->advertise<RigDescription>("rig_description", 1, true);
     path_ = node_->advertise<nav_msgs::Path>("trajectory", 1, true);
     string_ = node_->advertise<DrillstringState>("drillstring_state", 1);
+    truth_ = node_->advertise<RigTruth>("truth/rig_state", 1);
     panel_ = std::make_unique<rviz::RenderPanel>();
     geometry_msgs::TransformStamped floor;
     floor.header.frame_id = "world";
@@ -139,7 +85,7 @@ protected:
   {
     manager_.reset();
     panel_.reset();
-    for (ros::Publisher* publisher : {&description_, &path_, &string_}) publisher->shutdown();
+    for (ros::Publisher* publisher : {&description_, &path_, &string_, &truth_}) publisher->shutdown();
     frames_.reset();
     node_.reset();
   }
@@ -169,6 +115,7 @@ protected:
     {
       if (since.elapsed() > 1e3 * seconds) return false;
       string_.publish(string(deeper_));
+      truth_.publish(faults_);
       QTest::qWait(100);
     }
     return true;
@@ -195,7 +142,8 @@ protected:
 
   inline static std::unique_ptr<ros::NodeHandle> node_;
   inline static std::unique_ptr<tf2_ros::StaticTransformBroadcaster> frames_;
-  inline static ros::Publisher description_, path_, string_;
+  inline static ros::Publisher description_, path_, string_, truth_;
+  inline static RigTruth faults_;  // that are sent with the string
   inline static std::unique_ptr<rviz::RenderPanel> panel_;
   inline static std::unique_ptr<rviz::VisualizationManager> manager_;
   inline static rviz::Display* display_ = nullptr;
@@ -283,6 +231,84 @@ TEST_F(Display, TheBitIsNeverOutsideItsHole)
   EXPECT_TRUE(wait_until([&] { return status("Legend").contains("hole 1001.25 m"); })) << status("Legend").toStdString();
   EXPECT_TRUE(status("Legend").contains("bit 1001.25 m")) << status("Legend").toStdString();
   deeper_ = 0.0;
+}
+
+TEST_F(Display, FaultsAreDrawnAtTheirDepthAndListed)
+{
+  const auto red = [](const QImage& image, int from, int to)  // pixels of the marks in these rows
+  {
+    int count = 0;
+    for (int y = from; y < to; ++y)
+      for (int x = 0; x < image.width(); ++x)
+      {
+        const QColor c = image.pixelColor(x, y);
+        count += c.red() > 200 && c.green() > 70 && c.green() < 140 && c.blue() > 50 && c.blue() < 125;
+      }
+    return count;
+  };
+  display_->subProp("Coloured by")->setValue("tension");
+  wait_until([] { return false; }, 1.0);
+  EXPECT_EQ(0, red(picture("no_fault"), 0, height));
+  faults_.active_faults = {"stuck_pipe", "pump_trip"};
+  faults_.active_fault_depths = {depth - 300.0, NAN};  // at the middle of the picture
+  ASSERT_TRUE(wait_until([&] { return status("Legend").contains("! stuck pipe 700.00 m, ! pump trip , bit"); }))
+      << status("Legend").toStdString();
+  EXPECT_TRUE(wait_until([&] { return red(picture("fault"), height / 2 - 15, height / 2 + 15) > 100; }));
+  const QImage seen = picture("fault");
+  EXPECT_EQ(0, red(seen, 0, height / 2 - 30) + red(seen, height / 2 + 30, height)) << "and nowhere else";
+  faults_ = RigTruth();
+  EXPECT_TRUE(wait_until([&] { return red(picture("no_fault"), 0, height) == 0 && !status("Legend").contains("!"); }));
+}
+
+TEST_F(Display, TheLawThatCommandsTheRigIsShownWithItsPlan)
+{
+  ros::Publisher law = node_->advertise<ControllerStatus>("controller/status", 1, true);
+  ControllerStatus m;
+  m.header.frame_id = "rig_floor";
+  m.law = "slide_steering";
+  m.running = true;
+  m.phase = "drilling";
+  m.leads = "weight";
+  m.set_point = {"weight", "rop", "some_other"};
+  m.value = {60e3, 0.01, 5.0};
+  m.plan.resize(2);
+  m.plan[1].x = 12.0;  // beside the hole, down to its bottom
+  m.plan[0].x = 12.0;
+  m.plan[1].z = -depth - 50.0;
+  law.publish(m);
+  ASSERT_TRUE(wait_until([&] { return status("Legend").contains("slide steering drilling"); })) << status("Legend").toStdString();
+  EXPECT_TRUE(status("Legend").contains("> WOB 60.0 kN,   ROP 36.00 m/h")) << status("Legend").toStdString();
+  EXPECT_TRUE(wait_until([&] { return status("Legend").contains("off the plan 12.00 m"); })) << status("Legend").toStdString();
+  picture("law");
+  m.running = false;
+  law.publish(m);
+  EXPECT_TRUE(wait_until([&] { return !status("Legend").contains("WOB") && !status("Legend").contains("plan"); }));
+  m.running = true;
+  law.publish(m);
+  ASSERT_TRUE(wait_until([&] { return status("Legend").contains("WOB"); }));
+  law.shutdown();  // as when its node is killed
+  EXPECT_TRUE(wait_until([&] { return !status("Legend").contains("WOB"); })) << status("Legend").toStdString();
+}
+
+TEST_F(Display, LegendRulerAndProbeAreInTheUnitsThatAreChosen)
+{
+  display_->subProp("Coloured by")->setValue("tension");
+  EXPECT_TRUE(wait_until([&] { return status("Colours") == "tension [kN], 0 to 1000"; })) << status("Colours").toStdString();
+  display_->subProp("Units")->setValue("oilfield");
+  EXPECT_TRUE(wait_until([&] { return status("Colours") == "tension [klbf], 0 to 250"; })) << status("Colours").toStdString();
+  EXPECT_TRUE(wait_until([&] { return status("Legend").contains("bit 3280.84 ft"); })) << status("Legend").toStdString();
+  EXPECT_TRUE(status("Legend").contains(" klbf/ft")) << status("Legend").toStdString();
+  EXPECT_FALSE(status("Legend").contains(" m")) << status("Legend").toStdString();
+  EXPECT_TRUE(wait_until(
+      [&] {
+        return click(QPoint(width / 2, height / 2)), QTest::qWait(100), status("Probe").startsWith("pipe: measured depth 229");
+      }))
+      << status("Probe").toStdString();
+  EXPECT_TRUE(status("Probe").contains(" klbf, torque ")) << status("Probe").toStdString();
+  picture("oilfield");
+  display_->subProp("Units")->setValue("as the console");
+  EXPECT_TRUE(wait_until([&] { return status("Colours") == "tension [kN], 0 to 1000"; })) << "without a console SI";
+  click(QPoint(20, height / 2));
 }
 
 TEST_F(Display, TheLegendGivesWayToTheBit)
