@@ -4,6 +4,7 @@
 #include <QLabel>
 #include <QResizeEvent>
 #include <QScrollArea>
+#include <QTabBar>
 #include <QTabWidget>
 #include <QThread>
 #include <QTimer>
@@ -37,6 +38,10 @@ namespace
 constexpr int between_ticks = 100;     // gauges [ms]
 constexpr int ticks_of_the_chart = 3;  // it is drawn at every third
 constexpr int answer_lines = 2;
+// seven of them in 420 pixels, the number of warnings included
+constexpr char narrow_tabs[] =
+    "QTabBar::tab { background: #2a2f37; color: #e8e8e8; padding: 5px 6px; margin-right: 1px; }"
+    "QTabBar::tab:selected { background: #3a414b; border-top: 2px solid #58a6e0; }";
 constexpr int wide_enough = 820;  // for the gauges beside the other pages [px]
 
 // rviz::Config knows single precision alone: 0.01 m/s would come back as another number.
@@ -118,6 +123,8 @@ void DrillersConsole::make_pages()
   tabs_->setAccessibleName("pages");
   tabs_->setUsesScrollButtons(false);
   tabs_->setDocumentMode(true);
+  tabs_->tabBar()->setStyleSheet(narrow_tabs);
+  tabs_->tabBar()->setDrawBase(false);
   gauges_ = new GaugePage(tabs_);
   chart_ = new ChartPage(tabs_);
   events_ = new EventPage(tabs_);
@@ -127,7 +134,10 @@ void DrillersConsole::make_pages()
   // who holds the winch watches the string
   const std::vector<Quantity> watched{Quantity::hook_load, Quantity::surface_wob,         Quantity::torque,
                                       Quantity::rop,       Quantity::stand_pipe_pressure, Quantity::block_height};
-  const std::vector<Controls*> of_the_string{winch_, law_, new TopDriveControls(*link_, tabs_), new MudControls(*link_, tabs_),
+  // and who leaves it to the autodriller, what that goes by
+  const std::vector<Quantity> followed{Quantity::surface_wob, Quantity::rop,       Quantity::differential_pressure,
+                                       Quantity::torque,      Quantity::hook_load, Quantity::hole_depth};
+  const std::vector<Controls*> of_the_string{winch_, new TopDriveControls(*link_, tabs_), new MudControls(*link_, tabs_),
                                              new SteeringControls(*link_, tabs_)};
   const std::vector<Controls*> of_the_rig{new TimeControls(*link_, tabs_), new PipeControls(*link_, tabs_),
                                           new WellControls(*link_, tabs_), new FaultControls(*link_, tabs_),
@@ -135,6 +145,7 @@ void DrillersConsole::make_pages()
   add_page(gauges_, "Gauges");
   add_page(chart_, "Chart");
   add_page(make_control_page("page drill", gauges_->make_strip("watch", watched, tabs_), of_the_string), "Drill");
+  add_page(make_control_page("page auto", gauges_->make_strip("auto", followed, tabs_), {law_}), "Auto");
   add_page(make_control_page("page rig", nullptr, of_the_rig), "Rig");
   add_page(events_, "Events");
   add_page(settings_, "Settings");

@@ -61,18 +61,19 @@ LawControls::LawControls(RigLink& link, QWidget* parent)
     const bool is_optional = point.dimension == Dimension::pressure || point.dimension == Dimension::torque;
     if (is_optional) box->setSpecialValueText("no limit");
     boxes_.push_back(box);
-    const int row = static_cast<int>(n) / 2, column = static_cast<int>(n) % 2 * 2;
+    const int row = static_cast<int>(n);
     QString label = point.label;
     label[0] = label[0].toUpper();
     if (point.dimension == Dimension::penetration) label += " at most";
-    if (point.dimension == Dimension::pressure) label = "Diff. pressure";
-    grid().addWidget(add_label(label), row, column);
-    grid().addWidget(box, row, column + 1);
+    grid().addWidget(add_label(label), row, 0);
+    grid().addWidget(box, row, 1);
   }
   auto* buttons = new QHBoxLayout;
   for (QPushButton* button : {start_, apply_, stop_}) buttons->addWidget(button);
-  grid().addLayout(buttons, 3, 2, 1, 2);
-  grid().addWidget(status_, 4, 0, 1, 4);
+  const int below = static_cast<int>(boxes_.size());
+  grid().addLayout(buttons, below, 0, 1, 2);
+  grid().addWidget(status_, below + 1, 0, 1, 2);
+  grid().setColumnStretch(1, 1);
   start_->setToolTip(
       "Zeroes weight and pressure off bottom, goes to bottom and drills. Whichever limit is reached first leads. A command to "
       "the "

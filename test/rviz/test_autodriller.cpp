@@ -57,6 +57,7 @@ TEST(Autodriller, StartsFollowsAndStops)
   wait_for(2.0);
   EXPECT_DOUBLE_EQ(0.05, states.all().back()->winch.block_velocity) << "nobody sets the brake meanwhile";
   QTest::mouseRelease(console.get("winch raise"), Qt::LeftButton);
+  console.open_page_of("autodriller start");
   EXPECT_TRUE(wait_until([&] { return shows("stopped"); }));
   EXPECT_NEAR(5.76, states.all().back()->top_drive.speed, 0.01) << "the drive goes on";
   console.click("autodriller start");
