@@ -290,10 +290,57 @@ class Las(Folder):
     def test_nulls_maps_and_what_is_refused(self):
         self.assertTrue(math.isnan(self.log(null="-1.00", rows=["0 200 30", "5 -1 29", "10 1 1"]).signals["hook_load"][1]))
         self.right(self.log("time: {column: TIME, unit: s}\nhook_load: {column: HL}\nblock_height: {column: BPOS}\n", curves="TIME.S : t\nHL.KLBF : h\nBPOS.FT : b\n"))
-        for text, said in ((las(version="3.0"), "is LAS 3.0; allowed: 1.2 and 2.0"), (las().replace("~ASCII LOG DATA", "~OTHER"), "has no section ~A"),
+        for text, said in ((las(version="4.0"), "is LAS 4.0; allowed: 1.2, 2.0 and 3.0"), (las().replace("~ASCII LOG DATA", "~OTHER"), "has no section ~A"),
                            (las(rows=["0 200 30", "5 201"]), "r.las:15: has 2 values, there are 3 curves"), (las(wrap="YES", rows=["0 200", "30", "5"]), "the last row has 1 values"),
                            ("x\n" + las(), "r.las:1: is before the first section")):
             self.refused(said, text, name="r.las")
+
+    def test_the_last_row_first(self):
+        """As the file says by STRT and STOP, or by STEP."""
+        back, dated = ["%g %g %g" % row for row in ROWS[::-1]], ["%s %g %g" % (stamp, h, b) for stamp, (_, h, b) in list(zip(STAMPS, ROWS))[::-1]]
+        ends = " STRT.S 15 : start\n STOP.S 0 : stop\n"
+        self.right(self.read(las(rows=back).replace(" STRT.S 0 : start\n", ends), name="r.las"))
+        self.right(self.read(las(rows=back).replace("STRT.S 0", "STRT.S 15 :\n STEP.S -5"), name="r.las"))
+        self.right(self.read(las(curves="TIME. : t\nHKLD.klbf : x\nBPOS.ft : x\n", rows=dated).replace("STRT.S 0 : start", "STRT. %s : x\n STOP. %s : y" % (STAMPS[3], STAMPS[0])), name="r.las"))
+        self.right(self.read(las().replace(" STRT.S 0 : start\n", ends), name="r.las"), ["STRT is 15, TIME of the first row 0: the rows are used"])
+        self.refused("the time goes back to 10 s", las(rows=back), name="r.las")
+
+
+def las3(curves="TIME.S : time {F}\nHKLD.klbf : hook load {F}\nBPOS.FT : block {F} | Mud[1]\n", rows=None, delimiter="COMMA", more="", ends="0 : {F}\nSTOP.S 15"):
+    rows = rows or ["%g,%g,%g" % row for row in ROWS]
+    return ("~Version\nVERS. 3.0 : CWLS LOG ASCII STANDARD\nWRAP. NO : x\nDLM. %s : x\n~Well\nSTRT.S %s :\nNULL. -999.25 :\n~Parameter\nMUD. GEL : mud {S}\n"
+            "~Curve\n%s~ASCII | Curve\n%s\n%s" % (delimiter, ends, curves, "\n".join(rows), more))
+
+
+class Las3(Folder):
+    def test_what_is_read(self):
+        log = ("~Curve", "~Log_Definition"), ("~ASCII | Curve", "~Log_Data | Log_Definition")
+        runs = ("~Curve", "~Log_Definition[1]"), ("~ASCII | Curve", "~Log_Data[1] | Log_Definition[1]")
+        second = "~Log_Definition[2]\nTIME.S :\nHKLD.klbf :\nBPOS.FT :\n~Log_Data[2] | Log_Definition[2]\n10,202.5,29\n15,203,28\n"
+        whole = "DATE_TIME. : t {YYYY-MM-DD hh:mm:ss}\nHKLD.klbf : {F}\nBPOS.FT : {F}\n"
+        apart = "DATE. : d {MM/DD/YYYY}\nTIME. : t {hh:mm:ss}\nHKLD.klbf : {F}\nBPOS.FT : {F}\n"
+        for what, text in (("commas", las3()), ("blanks", las3(delimiter="SPACE", rows=["%g  %g  %g" % row for row in ROWS])),
+                           ("tabs", las3(delimiter="TAB", rows=["%g\t%g\t%g" % row for row in ROWS])),
+                           ("the last row first", las3(rows=["%g,%g,%g" % row for row in ROWS[::-1]], ends="15 :\nSTOP.S 0")),
+                           ("log data", replaced(las3(), log)), ("two runs", replaced(las3(rows=["0,200,30", "5,201,29.5"], more=second), runs)),
+                           ("no name of the definition", las3().replace("~ASCII | Curve", "~ASCII")),
+                           ("dates", las3(whole, ["2024-05-01 10:00:%02d,%g,%g" % row for row in ROWS])), ("date and time", las3(apart, ["05/01/2024,10:00:%02d,%g,%g" % row for row in ROWS])),
+                           ("texts with the delimiter", las3(curves="TIME.S :\nACT. : {S}\nHKLD.klbf :\nBPOS.FT :\n", rows=['%g,"in, slips",%g,%g' % row for row in ROWS])),
+                           ("other data", las3(more="~Core_Definition\nTOP.M : {F}\n~Core_Data | Core_Definition\n1\n2\n"))):
+            with self.subTest(what):
+                self.right(self.read(text, name="r.las"))
+        self.assertTrue(math.isnan(self.read(las3(rows=["0,200,30", "5,,29.5", "10,202.5,29"]), name="r.las").signals["hook_load"][1]))
+
+    def test_what_is_refused(self):
+        self.refused("has no section of a log with its curves", las3().replace("~ASCII | Curve", "~Core_Data | Curve"), name="r.las")
+        self.refused("its index is DEPT [M], and none of its curves is a time", las3("DEPT.M :\nHKLD.klbf :\nBPOS.FT :\n"), name="r.las")
+        self.refused("has 2 values, there are 3 curves", las3(rows=["0,200,30", "5,201"]), name="r.las")
+
+
+def replaced(text, pairs):
+    for old, new in pairs:
+        text = text.replace(old, new)
+    return text
 
 
 if __name__ == "__main__":

@@ -197,11 +197,11 @@ def tables_of(file, mapping):
     if text.lstrip()[:2] == "&&":
         raise RecordError("%s: is a stream of WITS level 0, whose items have no names and units; needed: a table, WITSML or LAS" % file)
     if text.lstrip()[:1] == "~" or file.lower().endswith(".las"):
-        table = read_las(file, text, times)
+        tables = read_las(file, text, times)
     else:
-        table = read_delimited(file, text, mapping.layout if mapping else Layout(), ByMap(mapping) if mapping else OfTheTrade())
-    table.remarks += remarks
-    return [table]
+        tables = [read_delimited(file, text, mapping.layout if mapping else Layout(), ByMap(mapping) if mapping else OfTheTrade())]
+    tables[0].remarks += remarks
+    return tables
 
 
 def read_table(file, layout=Layout(), columns=()):
