@@ -217,6 +217,8 @@ std::string plain_unit(const std::string& spelling)
   replace_all(text, "\u00b2", "2");
   replace_all(text, "\u00b3", "3");
   for (const char* degree_sign : {"\u00b0", "\u00ba"}) replace_all(text, degree_sign, "deg");
+  for (const char* foot_sign : {"\u2018", "\u2019", "\u2032"}) replace_all(text, foot_sign, "'");
+  for (const char* inch_sign : {"\u201c", "\u201d", "\u2033", "''"}) replace_all(text, inch_sign, "\"");
   replace_all(text, "**", "^");
   for (const char* bracket : {"[", "]"}) replace_all(text, bracket, "");
   for (const char* product : {" ", "-", "*", "\u00b7", "\u22c5"}) replace_all(text, product, ".");

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "number_with_unit.h"
 
+#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <locale>
 #include <regex>
 #include <sstream>
+#include <utility>
+#include <vector>
 
 #include "drill_rig_sim/math/ends_with.h"
 #include "drill_rig_sim/math/unit_table.h"
@@ -68,20 +71,40 @@ bool may_begin_a_unit(const std::string& text)
   return std::isalpha(static_cast<unsigned char>(text[0])) || text[0] == '%' || text[0] == '"' || text[0] == '\'' ||
          static_cast<unsigned char>(text[0]) >= 0x80 || text.compare(0, 2, "1/") == 0;
 }
-// takes the fraction of 8-1/2 in or 8 1/2 in from where a whole number ends; 0 where there is none
-long double take_fraction(const std::string& text, std::size_t& end)
+// 8\u00bd in becomes 8 1/2 in
+std::string with_plain_fraction(std::string text)
 {
-  static const std::regex fraction("[ -]([0-9]{1,2})/([1-9][0-9]?) *[a-z\"'].*");
+  static const std::vector<std::pair<std::string, std::string>> fractions = {
+      {"\u00bd", " 1/2"}, {"\u00bc", " 1/4"}, {"\u00be", " 3/4"}, {"\u215b", " 1/8"},
+      {"\u215c", " 3/8"}, {"\u215d", " 5/8"}, {"\u215e", " 7/8"}, {"\u2044", "/"}};
+  for (const auto& [sign, plain] : fractions)
+  {
+    const std::size_t at = text.find(sign);
+    if (at != std::string::npos) text.replace(at, sign.size(), plain);
+  }
+  return text;
+}
+
+// takes the fraction of 8-1/2 in, 8 1/2 in or 12/32 in from where a whole number ends, and adds it to the number or replaces it
+void take_fraction(const std::string& text, std::size_t& end, WrittenNumber& number)
+{
+  const std::string unit = " *[A-Za-z\"'\x80-\xff].*";
+  static const std::regex added("[ -]+([0-9]{1,2})/([1-9][0-9]?)" + unit), whole("([0-9]{1,2})/([1-9][0-9]?)" + unit);
   std::smatch part;
-  const std::string rest = text.substr(end);
-  if (text.find_first_not_of("0123456789") != end || !std::regex_match(rest, part, fraction)) return 0.0L;
-  end += static_cast<std::size_t>(part.position(2) + part.length(2));
-  return std::stold(part[1]) / std::stold(part[2]);
+  const std::size_t begin = text.find_first_not_of(' ');
+  const std::string rest = text.substr(end), all = text.substr(std::min(begin, text.size()));
+  const bool is_added = std::regex_match(rest, part, added);
+  if (text.find_first_not_of("0123456789", begin) != end || !(is_added || std::regex_match(all, part, whole))) return;
+  const long double fraction = std::stold(part[1]) / std::stold(part[2]);
+  end = static_cast<std::size_t>(part.position(2) + part.length(2)) + (is_added ? end : begin);
+  number.exact = fraction + (is_added ? number.exact : 0.0L);
+  number.value = static_cast<double>(fraction) + (is_added ? number.value : 0.0);
 }
 }  // namespace
 
-bool split_number(const std::string& text, WrittenNumber& number)
+bool split_number(const std::string& written, WrittenNumber& number)
 {
+  const std::string text = with_plain_fraction(written);
   std::istringstream in(text);
   in.imbue(std::locale::classic());
   if (!(in >> number.value)) return false;
@@ -91,9 +114,7 @@ bool split_number(const std::string& text, WrittenNumber& number)
   std::istringstream digits(text.substr(0, end));
   digits.imbue(std::locale::classic());
   if (!(digits >> number.exact)) return false;
-  const long double fraction = take_fraction(text, end);
-  number.value += static_cast<double>(fraction);
-  number.exact += fraction;
+  take_fraction(text, end, number);
   const std::size_t first = text.find_first_not_of(' ', end);
   if (first == std::string::npos || !may_begin_a_unit(text.substr(first))) return false;
   number.unit = plain_unit(text.substr(first, text.find_last_not_of(' ') - first + 1));

@@ -102,6 +102,7 @@ RunEnd play(Simulator& simulator, const RunGoal& goal, Series& series, RunRecord
                            record.doubts.add(m.time, simulator.statistics().accuracy);
                            record.errors.add(simulator);
                            record.limits.add(m, simulator.statistics().loads, simulator.scene().rig.hoisting.max_hook_load);
+                           record.feed.add(simulator.scene().operations, player.operations().status(), m, simulator.readings());
                            series.add(simulator, frame);
                            progress.show(done(m, start_depth, goal, player.operations().status()), m.time, m.hole_depth);
                          });

@@ -171,6 +171,8 @@ Json json_of(const std::vector<Operation>& operations, const RunRecord& record)
     list.push_back({{"do", word_of(operations[i].kind)}, {"began", began[i]}});
     if (!std::isnan(began[i + 1])) list.back()["ended"] = began[i + 1];
   }
+  for (const FeedLimits::Entry& entry : record.feed.entries())
+    if (entry.is_reported()) list[entry.operation]["limited_by_speed"] = entry.limited;
   if (record.operation.trouble != OperationTrouble::none) list.back()["given_up"] = text_of(record.operation.trouble);
   return list;
 }
@@ -191,6 +193,21 @@ void print_operations(const std::vector<Operation>& operations, const RunRecord&
 }
 
 const Printed::InSI kilonewton{"%.1f", "kN", 1e-3}, kilonewton_metre{"%.2f", "kN m", 1e-3};
+
+void print_feed(const std::vector<Operation>& operations, const FeedLimits& feed, const Printed& printed)
+{
+  for (const FeedLimits::Entry& entry : feed.entries())
+  {
+    if (!entry.is_reported()) continue;
+    const Operation& o = operations[entry.operation];
+    std::printf(
+        "operations: number %zu, %s: its speed of %s limited the weight on bit to %s for %.0f s (weight: %s); needed for more: a "
+        "larger speed\n",
+        entry.operation + 1, word_of(o.kind), printed(o.speed, Dimension::speed, {"%.4g", "m/s"}).c_str(),
+        printed(entry.mean_weight(), Dimension::force, kilonewton).c_str(), entry.limited,
+        printed(o.weight, Dimension::force, kilonewton).c_str());
+  }
+}
 
 void print(const Limits::Entry& entry, const Printed& printed)
 {
@@ -295,6 +312,7 @@ void print_summary(const Simulator& simulator, const Elapsed& elapsed, const Run
   for (const Limits::Entry& entry : record.limits.entries()) print(entry, printed);
   print_doubt_of_pressures(simulator);
   if (simulator.statistics().tight) std::printf("assembly warning: %s\n", text_of(*simulator.statistics().tight).c_str());
+  print_feed(simulator.scene().operations, record.feed, printed);
   print_operations(simulator.scene().operations, record);
   const Averages mean = record.drilling.last_quarter();
   if (mean.samples() == 0)

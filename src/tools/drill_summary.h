@@ -8,6 +8,7 @@
 #include "drill_averages.h"
 #include "drill_doubts.h"
 #include "drill_errors.h"
+#include "drill_feed.h"
 #include "drill_limits.h"
 #include "drill_rig_sim/crew/operations.h"
 #include "drill_rig_sim/sim/simulator.h"
@@ -29,6 +30,7 @@ struct RunRecord
   Doubts doubts;
   Limits limits;
   LargestErrors errors;
+  FeedLimits feed;
   std::vector<double> operations_began;  ///< OperationsPlayer::began()
   OperationStatus operation;             ///< the one that the run ended in
 };
@@ -37,8 +39,8 @@ struct RunRecord
 /// `readings`: it also says what the instruments show at the end.
 std::string json_summary(const Simulator& simulator, const Elapsed& elapsed, const RunRecord& record, bool readings);
 
-/// The same in two lines on standard output, and a line for each doubt and each limit that was passed. Texts of warnings stay in
-/// SI.
+/// The same in two lines on standard output, and a line for each doubt, each limit that was passed and each operation whose speed
+/// limited the weight on bit. Texts of warnings stay in SI.
 void print_summary(const Simulator& simulator, const Elapsed& elapsed, const RunRecord& record, const Printed& printed);
 
 }  // namespace drill_rig_sim

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "drill_rig_sim/math/unit_table.h"
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/well/directions.h"
 #include "drill_rig_sim/well/problem.h"
@@ -45,6 +46,12 @@ std::string two_digits(double value)
 {
   return plain(1e-2 * std::round(1e2 * value));
 }
+
+// a remark of the scene is shown in both systems of units, whatever --units says
+std::string in_both(double length)
+{
+  return two_digits(length) + " m (" + two_digits(static_cast<double>(length / exact::foot)) + " ft)";
+}
 }  // namespace
 
 std::string project_survey(WellSpec& well)
@@ -66,8 +73,8 @@ std::string project_survey(WellSpec& well)
     survey.back() = bottom;
   else
     survey.push_back(bottom);
-  return "the survey was projected " + two_digits(length) + " m from its last station, " + metres(last) + ", to the bottom, " +
-         how + ": " + two_digits(bottom.inclination / degree) + " deg inclination, " + two_digits(bottom.azimuth / degree) +
+  return "the survey was projected " + in_both(length) + " from its last station, " + in_both(last) + ", to the bottom, " + how +
+         ": " + two_digits(bottom.inclination / degree) + " deg inclination, " + two_digits(bottom.azimuth / degree) +
          " deg azimuth";
 }
 

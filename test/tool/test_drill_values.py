@@ -71,6 +71,16 @@ class Check(test_drill.Drill):
         self.assertIn('pressures: bore and annulus alone', self.succeed(*short, 'program=[{at: 0, flow: 0.03}]'))
         self.assertNotIn('pressures:', self.succeed(*short, 'program=[]'))
 
+    def test_a_speed_that_limits_the_weight_is_told(self):
+        """1 mm/s of the block on rock that gives way at 12 mm/s under 10 kN: 0.8 kN."""
+        drill = 'operations=[{do: flow, flow: 0.02}, {do: rotate, speed_rpm: 90}, {do: tag, weight: 2 kN}, {do: drill, weight: 10 kN, distance: 5 m, speed: %g}]'
+        run = ('run', QUICK, '--duration', '150', '--set', 'program=[]', '--set')
+        said = re.search(r'operations: number 4, drill: its speed of 0.001 m/s limited the weight on bit to ([\d.]+) kN for ([\d.]+) s \(weight: 10.0 kN\); '
+                         'needed for more: a larger speed\n', self.succeed(*run, drill % 0.001))
+        self.assertAlmostEqual(0.83, float(said.group(1)), delta=0.15)
+        self.assertGreater(float(said.group(2)), 60.0)
+        self.assertNotIn('limited the weight', self.succeed(*run, drill % 0.05))
+
     def test_every_kind_of_part_has_its_word(self):
         string = ('[{name: a, type: bit, length: 0.3, mass: 40, diameter: 0.2159}, '
                   '{name: b, type: mud_motor, length: 8, outer_diameter: 0.165, inner_diameter: 0.0714, linear_mass: 120, '

@@ -174,7 +174,7 @@ class ToTheBit(Files):
             text = read_text(scene).replace("to: 800", "to: 810")
             done = drill("check", self.file("scene.yaml", text))
             self.assertEqual(0, done.returncode, done.stderr)
-            self.assertIn("projected 10 m from its last station, 800 m", done.stderr)
+            self.assertIn("projected 10 m (32.81 ft) from its last station, 800 m (2624.67 ft)", done.stderr)
             self.assertIn("at its bottom %.2f deg inclination" % inclination, done.stdout)
         self.assertIn("30.5 m", self.refused("check", self.scene("survey.csv", 831.0, "  project: straight\n")))
         for depth in (805.0, 830.0, 860.0):

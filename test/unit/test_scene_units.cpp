@@ -116,8 +116,11 @@ TEST(SceneUnits, AsDrillersWriteThem)
 {
   const auto same = [](const std::string& with_unit, const std::string& si)
   { EXPECT_EQ(scene_hash(read_scene(quick, {si})), scene_hash(read_scene(quick, {with_unit}))) << with_unit; };
-  for (const char* diameter : {"7-7/8 in", "7 7/8 in", "7 7/8in", "7-7/8\"", "7.875\"", "7.875 inches", "0.65625 feet"})
+  for (const char* diameter :
+       {"7-7/8 in", "7 7/8 in", "7 7/8in", "7-7/8\"", "7.875\"", "7.875 inches", "0.65625 feet", "7\u215e\"", "7 \u215e in",
+        "7  7/8 IN", "7 7\u20448\u201d", "7.875\u201d", "7.875\u2033", "7.875''", "63/8 in", "0.65625\u2019", "0.65625 \u2032"})
     same(std::string("string[0].diameter=") + diameter, "string[0].diameter=0.200025");
+  same("string[0].length=\u00be ft", "string[0].length=9 in");
   same("rig.top_drive.max_torque=40 kNm", "rig.top_drive.max_torque=40000");
   same("rig.top_drive.max_torque=30 klb-ft", "rig.top_drive.max_torque=40674.538449942012");
   same("mud.density=1.1 g/cc", "mud.density=1100");
@@ -128,6 +131,8 @@ TEST(SceneUnits, AsDrillersWriteThem)
   same("instruments.mwd.period=30 sec", "instruments.mwd.period=30");
   EXPECT_EQ("setting: mud.density: lb/gal is ambiguous; allowed: ppg", refusal({"mud.density=9 lb/gal"}));
   EXPECT_NE(std::string::npos, refusal({"string[0].diameter=7-7/8"}).find("is not a number")) << "of no unit";
+  for (const char* text : {"7/8", "8\u00bd", "0.5\u00bd in", "\u00bd\u00bd in"})
+    EXPECT_NE("accepted", refusal({std::string("string[0].diameter=") + text})) << text;
   EXPECT_NE(std::string::npos, refusal({"string[0].diameter=7.5 7/8 in"}).find("is not a number"));
 }
 

@@ -33,7 +33,7 @@ TEST(WellProjection, StraightGoesOnInTheLastDirection)
 {
   WellSpec well = well_of({{0, 0, 0}, in_degrees(300, 30, 60)}, 320.0, Projection::straight);
   const std::string done = project_survey(well);
-  EXPECT_NE(std::string::npos, done.find("projected 20 m from its last station, 300 m")) << done;
+  EXPECT_NE(std::string::npos, done.find("projected 20 m (65.62 ft) from its last station, 300 m (984.25 ft)")) << done;
   ASSERT_EQ(3u, well.survey.size());
   const Survey survey(well.survey);
   const Eigen::Vector3d step = survey.station(2).position - survey.station(1).position;
