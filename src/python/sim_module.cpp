@@ -134,7 +134,8 @@ void bind_frames(py::module_& module)
       .def_property_readonly("accuracy_reason", [](const ShownFrame& s) { return text_of(s.accuracy); });
   bind_signals<TrueFrame>(module, "Truth")
       .def_property_readonly("active_faults", [](const TrueFrame& s) { return words_of(s.faults); })
-      .def_property_readonly("active_fault_depths", [](const TrueFrame& s) { return depths_of(s.faults, s.fault_depths); });
+      .def_property_readonly("active_fault_depths",  // a tuple, as in the node's message
+                             [](const TrueFrame& s) { return py::tuple(py::cast(depths_of(s.faults, s.fault_depths))); });
   py::class_<Place> place(module, "Place");
   bind_fields(place);
   py::class_<Bit> bit(module, "Bit");
