@@ -75,8 +75,7 @@ LawControls::LawControls(RigLink& link, QWidget* parent)
   grid().addWidget(status_, below + 1, 0, 1, 2);
   grid().setColumnStretch(1, 1);
   start_->setToolTip(
-      "Zeroes weight and pressure off bottom, goes to bottom and drills. Whichever limit is reached first leads. A command to "
-      "the "
+      "Zeroes weight and pressure off bottom, goes to bottom and drills. The limit that is reached first leads. A command to the "
       "winch takes over.");
   connect(start_, &QPushButton::clicked, this, &LawControls::start);
   connect(apply_, &QPushButton::clicked, this, &LawControls::apply);
