@@ -115,7 +115,7 @@ TEST(Markers, coloursGoFromTealThroughGreenToYellow)
   expect_color(0.732, 0.868, 0.218, color_of(75.0, 100.0));
   expect_color(0.99, 0.91, 0.14, color_of(100.0, 100.0));
   expect_color(0.732, 0.868, 0.218, color_of(-75.0, 100.0));  // size counts
-  expect_color(0.99, 0.91, 0.14, color_of(200.0, 100.0));  // beyond the scale
+  expect_color(0.99, 0.91, 0.14, color_of(200.0, 100.0));     // beyond the scale
   expect_color(0.146, 0.572, 0.53, drawn(numbered_output(), "string").color);
 }
 
@@ -157,7 +157,7 @@ TEST(Markers, fullScaleLeavesTheLargestTenthOut)
   const Marker m = drawn(s, "string");
   expect_color(0.99, 0.91, 0.14, m.colors[0]);
   expect_color(0.99, 0.91, 0.14, m.colors[5]);
-  expect_color(0.474, 0.804, 0.318, m.colors[6]);    // 50 of 100
+  expect_color(0.474, 0.804, 0.318, m.colors[6]);     // 50 of 100
   expect_color(0.3708, 0.7608, 0.3756, m.colors[7]);  // 40 of 100
 }
 
