@@ -49,14 +49,15 @@ class Recorded(unittest.TestCase):
     def rows(self, every=1, count=None):
         return [Row("record %d" % (k + 1), state.t, {name: getattr(state, name) for name in PLAYED}) for k, state in enumerate(self.states[:count:every])]
 
-    def live(self, rows):
-        """Lines, and by signal the residuals of the rows that were played."""
+    def live(self, rows, scene=QUICK):
+        """Lines, and by signal the residuals of the rows that were played, by self.rig."""
         said, off = [], {}
 
         def show(time, row):
             for name, (measured, simulated) in row.items():
                 off.setdefault(name, []).append((time, measured - simulated))
-        live = Live("feed", Simulator(QUICK), rows[:6], said.append, show)
+        self.rig = Simulator(scene)
+        live = Live("feed", self.rig, rows[:6], said.append, show)
         for row in rows[6:]:
             live.take(row)
         live.finish()
@@ -118,21 +119,13 @@ class Feed(Recorded):
         rig.rotate(rpm=100.0)
         rig.winch(-0.03)
         self.states += self.driven(rig, 240.0)
-        rows, said, off = self.rows(), [], {}
-
-        def show(time, row):
-            for name, (measured, simulated) in row.items():
-                off.setdefault(name, []).append(measured - simulated)
-        live = Live("feed", Simulator(files["off"]), rows[:6], said.append, show)
-        for row in rows[6:]:
-            live.take(row)
-        live.finish()
+        said, off = self.live(self.rows(), files["off"])
         made = [line for line in said if "accuracy" not in line]
         self.assertEqual(1, len(made), said)
         self.assertRegex(made[0], r"^connection at [\d.]+ s: .*3 joints added")
-        self.assertAlmostEqual(rig.state.truth.bit_depth, live.rig.state.truth.bit_depth, delta=0.02)
-        self.assertAlmostEqual(rig.state.truth.hole_depth, live.rig.state.truth.hole_depth, delta=0.02)
-        loads = numpy.array(off["hook_load"])
+        self.assertAlmostEqual(rig.state.truth.bit_depth, self.rig.state.truth.bit_depth, delta=0.02)
+        self.assertAlmostEqual(rig.state.truth.hole_depth, self.rig.state.truth.hole_depth, delta=0.02)
+        loads = off["hook_load"][:, 1]
         self.assertTrue(40 < numpy.isnan(loads).sum() < 120, numpy.isnan(loads).sum())
         self.assertLess(numpy.nanmax(numpy.abs(loads)), 1e4)
         self.assertLess(numpy.sqrt(numpy.nanmean(loads**2)), 4e3)

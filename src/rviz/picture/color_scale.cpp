@@ -15,20 +15,12 @@ namespace
 constexpr int patience = 50;  // messages until a scale that is too wide gets narrower
 
 // where there are both signs: blue, white, orange, which the colour-blind can tell apart too
-constexpr std::array<Color, 3> orange{{{0.97f, 0.97f, 0.97f}, {0.99f, 0.72f, 0.39f}, {0.90f, 0.38f, 0.01f}}};
-constexpr std::array<Color, 3> blue{{{0.97f, 0.97f, 0.97f}, {0.45f, 0.68f, 0.85f}, {0.02f, 0.32f, 0.69f}}};
+constexpr std::array<Rgb, 3> orange{{{0.97f, 0.97f, 0.97f}, {0.99f, 0.72f, 0.39f}, {0.90f, 0.38f, 0.01f}}};
+constexpr std::array<Rgb, 3> blue{{{0.97f, 0.97f, 0.97f}, {0.45f, 0.68f, 0.85f}, {0.02f, 0.32f, 0.69f}}};
 
-Color mix(const Color& a, const Color& b, float share)
+Color opaque(const Rgb& color)
 {
-  return {a.r + share * (b.r - a.r), a.g + share * (b.g - a.g), a.b + share * (b.b - a.b), a.a + share * (b.a - a.a)};
-}
-
-template <std::size_t n>
-Color along(const std::array<Color, n>& colors, double share)
-{
-  const double place = std::clamp(share, 0.0, 1.0) * (n - 1);
-  const std::size_t i = std::min(static_cast<std::size_t>(place), n - 2);
-  return mix(colors[i], colors[i + 1], static_cast<float>(place - static_cast<double>(i)));
+  return {color[0], color[1], color[2]};
 }
 
 /// The size below which `share` of the sizes lie. `sizes`: may be empty.
@@ -49,12 +41,8 @@ ColorScale::ColorScale(double low, double high)
 Color ColorScale::at(double value) const noexcept
 {
   if (!std::isfinite(value)) return {0.5f, 0.5f, 0.5f};
-  if (!(low_ < 0.0))
-  {
-    const Rgb color = viridis(value / high_);
-    return {color[0], color[1], color[2]};
-  }
-  return value >= 0.0 ? along(orange, value / high_) : along(blue, value / low_);
+  if (!(low_ < 0.0)) return opaque(viridis(value / high_));
+  return opaque(value >= 0.0 ? color_along(orange, value / high_) : color_along(blue, value / low_));
 }
 
 std::vector<double> ColorScale::ticks(int most) const
