@@ -9,6 +9,7 @@ from drill_rig_sim.tables import SIGNALS
 SYSTEMS = ("si", "oilfield")
 DEGREE = math.pi / 180.0
 # exact by definition, as in math/unit_table.h: [m], [m], [N], [kg]
+GRAVITY = 9.80665  # standard [m/s2]
 FOOT, INCH, POUND, POUND_MASS = 0.3048, 0.0254, 4.4482216152605, 0.45359237
 PSI, GALLON, BARREL = POUND / INCH**2, 231.0 * INCH**3, 9702.0 * INCH**3  # [Pa], of the USA [m3], [m3]
 

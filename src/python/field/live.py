@@ -6,9 +6,9 @@ from drill_rig_sim.field.follow import Connection, Follow
 from drill_rig_sim.field.pipe import STILL, Standstill, check_directions, check_scale, compared, pipe_events, run
 from drill_rig_sim.field.record import COMPARED, Record, RecordError, long_step
 from drill_rig_sim.field.replay import LONGEST_GAP, Warnings
+from drill_rig_sim.units import GRAVITY
 
 SHOWN = COMPARED + ("bit_depth",)  # with residuals
-GRAVITY = 9.80665  # [m/s2]
 LAG = 4      # rows that the simulation is behind: by these the way of the block between two rows is known
 FIRST = 6    # rows before it begins
 KEPT = 60    # rows before the present one that are kept

@@ -9,9 +9,9 @@ from drill_rig_sim.field.pipe import Slip, check_directions, check_scale, clock,
 from drill_rig_sim.field.record import COMPARED, RecordError
 from drill_rig_sim.field.window import inside
 from drill_rig_sim.law import RPM
-from drill_rig_sim.units import POUND, QUANTITIES, SI
+from drill_rig_sim.units import GRAVITY, POUND, QUANTITIES, SI
 
-FORCES = {"N": 1.0, "lbf": POUND, "kgf": 9.80665}  # and their thousands, by which hook loads are mistaken
+FORCES = {"N": 1.0, "lbf": POUND, "kgf": GRAVITY}  # and their thousands, by which hook loads are mistaken
 LONGEST_GAP = 86400.0  # that can be simulated in a sensible time [s]
 APART = 1.0    # of the bit at the beginning, record and scene [m]
 RUN_UP = 30.0  # before the record, in which pump and top drive come to where it begins [s]
