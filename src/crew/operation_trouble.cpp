@@ -17,6 +17,18 @@ const char* text_of(OperationTrouble trouble) noexcept
       return "the mud motor has stalled";
     case OperationTrouble::over_weight:
       return "the weight on bit is far above its set point";
+    case OperationTrouble::below_bottom:
+      return "its depth is below the bottom of the hole";
+    case OperationTrouble::no_zero:
+      return "the weight on bit is not zeroed, needed: tag before drill or slide";
+    case OperationTrouble::tag_on_bottom:
+      return "the weight on bit cannot be zeroed on bottom or in the slips, needed: pick_up first";
+    case OperationTrouble::nothing_to_take:
+      return "the block is at its highest place, and there is no stand to take away";
+    case OperationTrouble::no_room_to_add:
+      return "the block is at its lowest place, and no stand can be added";
+    case OperationTrouble::bottom_too_near:
+      return "the bit reaches bottom before the block is low enough to add a stand, needed: drill deeper first";
   }
   return "";
 }

@@ -124,19 +124,20 @@ void OperationsPlayer::apply(RigControls& rig) noexcept
   while (!finished())
   {
     if (!is_set(began_[next_])) begin(rig);
-    trouble_ = watch_.look(operations_[next_], rig.readings());
-    if (trouble_ != OperationTrouble::none)
-    {
-      rig.command(WinchSetpoint{0.0, true});
-      return;
-    }
-    follow(rig);
+    if (trouble_ == OperationTrouble::none) trouble_ = watch_.look(operations_[next_], rig.readings());
+    if (trouble_ == OperationTrouble::none) follow(rig);
+    if (trouble_ != OperationTrouble::none) return stop(rig);
     progress_ = progress(rig);
     if (progress_ < 1.0) return;
     end(rig);
     ++next_;
     if (finished()) began_[next_] = rig.truth().time;
   }
+}
+
+void OperationsPlayer::stop(RigControls& rig) const noexcept
+{
+  if (!finished()) end(rig);
 }
 
 void OperationsPlayer::begin(RigControls& rig) noexcept
@@ -159,8 +160,7 @@ void OperationsPlayer::begin(RigControls& rig) noexcept
     ramp_ = {keeps_speed(drive.mode) ? drive.speed : now.top_drive_speed, o.rotary_speed, now.time, o.ramp, true};
   if (o.kind == OperationKind::pick_up) rig.command(WinchSetpoint{o.speed, false});
   if (needs_crew(o.kind)) rig.call_crew(true);
-  if (o.kind == OperationKind::trip && o.to_depth > now.hole_depth + arrived)
-    rig.fail("operations: trip goes below the bottom of the hole");
+  if (o.kind == OperationKind::trip && o.to_depth > now.hole_depth + arrived) trouble_ = OperationTrouble::below_bottom;
   if (o.kind == OperationKind::slack_off || o.kind == OperationKind::tag)
   {
     const bool zeroed = is_set(o.weight) && rig.tare();  // on bottom it keeps the zero it had
@@ -169,7 +169,7 @@ void OperationsPlayer::begin(RigControls& rig) noexcept
   }
   const bool by_weight = traits_of(o.kind).drills;
   zeroes_ = by_weight && !now.tared;
-  if (zeroes_ && !rig.tare()) rig.fail("operations: the weight on bit is not zeroed, needed: tag before drill or slide");
+  if (zeroes_ && !rig.tare()) trouble_ = OperationTrouble::no_zero;
   if (o.kind == OperationKind::steer) rig.command(SteeringSetpoint{o.toolface, o.ratio});
   if (o.kind == OperationKind::slide || o.kind == OperationKind::oscillate)
   {
@@ -188,8 +188,7 @@ void OperationsPlayer::begin_tag(RigControls& rig, bool zeroed) noexcept
   pressure_at_ = now.time;
   lifts_ = zeroed && rig.scene().rig.heave.amplitude == 0.0 && now.hole_depth - now.bit_depth < tags_from;
   lift_to_ = now.block_height + tags_from - (now.hole_depth - now.bit_depth);
-  if (!zeroed && !now.tared)
-    rig.fail("operations: tag: the weight on bit cannot be zeroed on bottom or in the slips, needed: pick_up first");
+  if (!zeroed && !now.tared) trouble_ = OperationTrouble::tag_on_bottom;
 }
 
 void OperationsPlayer::follow(RigControls& rig) noexcept
@@ -299,12 +298,10 @@ void OperationsPlayer::follow_trip(RigControls& rig) noexcept
   const double left = std::max(0.0, way_to_go(now)), lost = acceleration_ * (now.time - followed_at_);
   followed_at_ = now.time;
   if (has_begun && now.stop_reached && up == is_high)
-    rig.fail(up ? "operations: the block is at its highest place, and there is no stand to take away"
-                : "operations: the block is at its lowest place, and no stand can be added");
+    trouble_ = up ? OperationTrouble::nothing_to_take : OperationTrouble::no_room_to_add;
   if (has_begun && o.kind == OperationKind::connection && !crew_came_ && !up && left < arrived)
-    rig.fail(
-        "operations: connection: the bit reaches bottom before the block is low enough to add a stand, needed: drill deeper "
-        "first");
+    trouble_ = OperationTrouble::bottom_too_near;
+  if (trouble_ != OperationTrouble::none) return;
   const double speed = std::min(o.speed, std::sqrt(lost * lost + 2.0 * acceleration_ * left) - lost);
   rig.command(WinchSetpoint{up ? speed : -speed, false});
 }

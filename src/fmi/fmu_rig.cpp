@@ -165,9 +165,11 @@ bool FmuRig::apply(CommandKind kind, const Setpoint& setpoint, std::vector<std::
 void FmuRig::apply_inputs(std::vector<std::string>& refused)
 {
   const Setpoints& s = inputs_.setpoints;
-  const bool any = apply(CommandKind::winch, s.winch, refused) | apply(CommandKind::top_drive, s.top_drive, refused) |
+  const bool of_winch = apply(CommandKind::winch, s.winch, refused);
+  const bool any = of_winch | apply(CommandKind::top_drive, s.top_drive, refused) |
                    apply(CommandKind::mud_pump, s.pump, refused) | apply(CommandKind::steering, s.steering, refused);
-  if (any) playing_ = false;
+  if (any && playing_) player_.hand_over(*simulator_, of_winch);
+  playing_ = playing_ && !any;
   if (inputs_.tare && !tared_) tare(refused);
   tared_ = inputs_.tare;
 }

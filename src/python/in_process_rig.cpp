@@ -115,7 +115,8 @@ void InProcessRig::command(const std::optional<WinchSetpoint>& winch, const std:
   require(*simulator_, steering);
   const bool any =
       take(*simulator_, winch) | take(*simulator_, top_drive) | take(*simulator_, pump) | take(*simulator_, steering);
-  if (any) playing_ = false;
+  if (any && playing_) player_.hand_over(*simulator_, winch.has_value());
+  playing_ = playing_ && !any;
 }
 
 InProcessRig::Turn::Turn(const InProcessRig& rig) : busy_(rig.busy_)
@@ -325,6 +326,23 @@ void InProcessRig::connection(std::uint32_t joints, bool remove)
   const Turn turn(*this);
   require_good();
   ask_connection(*simulator_, joints, remove);
+}
+
+void InProcessRig::operate(const std::string& operations)
+{
+  const Turn turn(*this);
+  require_good();
+  require_on_hook(*simulator_);
+  const ScenePlayer player = operations_of(operations, "operations", present_scene(*simulator_));
+  if (playing_) player_.hand_over(*simulator_, false);
+  player_ = player;
+  playing_ = true;
+}
+
+std::string InProcessRig::given_up() const
+{
+  const Turn turn(*this);
+  return playing_ ? text_of(player_.operations().status().trouble) : "";
 }
 
 SavedRig InProcessRig::save() const

@@ -217,6 +217,10 @@ public:
   void fault(const std::string& name, bool clear, const std::string& target, double depth, double magnitude);
   void slips(bool are_set);
   void connection(std::uint32_t joints, bool remove);
+  /// Begins operations, YAML as `operations` of a scene: a list or one block. They take the place of what is played.
+  void operate(const std::string& operations);
+  /// Why the operation under way was given up; empty: it was not.
+  std::string given_up() const;
   SavedRig save() const;
   void restore(const SavedRig& saved);
 

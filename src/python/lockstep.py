@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A rig that is stepped: the same for the node in lockstep (drill_rig_sim.rig) and for a simulator in this process (drill_rig_sim.sim). No ROS."""
 import collections
+import json
 import math
 import operator
 import types
@@ -47,6 +48,11 @@ class State:
         if not hasattr(self.readings, name) and hasattr(self.truth, name):
             raise AttributeError("%s: is not a reading; use truth.%s" % (name, name))
         return getattr(self.readings, name)
+
+
+def yaml_of(operations):
+    """Operations as text, of a list or one block."""
+    return operations if isinstance(operations, str) else json.dumps(operations)
 
 
 Zero = collections.namedtuple("Zero", "duration hook_load hook_load_deviation stand_pipe_pressure stand_pipe_pressure_deviation")

@@ -12,10 +12,12 @@ drill_rig_sim.sim has the same without a node.
 """
 import time
 
+import actionlib
 import rosgraph
 import rospy
-from drill_rig_sim.lockstep import RPM, UNSENSED, Lockstep, Refused, State, TimedOut, arrived, series, zero_of  # pylint: disable=unused-import
-from drill_rig_sim.msg import MudPumpCommand, SteeringCommand, TopDriveCommand, WinchCommand
+from actionlib_msgs.msg import GoalStatus
+from drill_rig_sim.lockstep import RPM, UNSENSED, Lockstep, Refused, State, TimedOut, arrived, series, yaml_of, zero_of  # pylint: disable=unused-import
+from drill_rig_sim.msg import MudPumpCommand, RunOperationsAction, RunOperationsGoal, SteeringCommand, TopDriveCommand, WinchCommand
 from drill_rig_sim.srv import (InjectFault, InjectFaultRequest, LoadSurvey, MakeConnection, ResetWell, RestoreState, SaveState, StepSimulation,
                                StepSimulationRequest, TareOver)
 from std_srvs.srv import SetBool, Trigger
@@ -48,6 +50,7 @@ class Rig(Lockstep):
         self._step = rospy.ServiceProxy(self._prefix + "/step", StepSimulation, persistent=True)
         self._request = StepSimulationRequest()
         self._telemetry = {"toolface": None, "survey": None, "inclination": None, "dynamics": None}
+        self._operations = None  # the client of the action run_operations
         self.rate = frames_per_second(self._prefix + "/step")
         self._look()
 
@@ -128,6 +131,25 @@ class Rig(Lockstep):
     def connection(self, joints=0, remove=False):
         """Adds joints of drill pipe, or removes them; 0: a stand."""
         self._call("make_connection", MakeConnection, joints=joints, remove=remove)
+
+    def operate(self, operations):
+        """The driller begins operations, one after the other, as a scene has them: {"do": "trip", "to_depth": 1200}, a list of such, or their YAML. The reading
+        operation_number is 0 once all are finished. A set point takes over the rig from them."""
+        self._advance(0)
+        self._operations = client = actionlib.SimpleActionClient(self._prefix + "/run_operations", RunOperationsAction)
+        client.wait_for_server()
+        client.send_goal(RunOperationsGoal(operations=yaml_of(operations)))
+        while client.get_state() == GoalStatus.PENDING:
+            time.sleep(0.01)
+        if client.get_state() == GoalStatus.ABORTED:
+            raise Refused(client.get_result().message)
+        return self._look()
+
+    @property
+    def given_up(self):
+        """Why the operation under way was given up, the block braked; "": it was not."""
+        client = self._operations
+        return client.get_result().message if client and client.get_state() == GoalStatus.ABORTED else ""
 
     # --- the connection
 

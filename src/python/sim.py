@@ -16,7 +16,7 @@ import typing
 
 import numpy
 from drill_rig_sim import _sim
-from drill_rig_sim.lockstep import RPM, UNSENSED, Failed, Lockstep, Refused, State, TimedOut, series, zero_of  # pylint: disable=unused-import
+from drill_rig_sim.lockstep import RPM, UNSENSED, Failed, Lockstep, Refused, State, TimedOut, series, yaml_of, zero_of  # pylint: disable=unused-import
 from drill_rig_sim.text_file import report
 
 COMMANDS = {"winch": _sim.Winch, "top_drive": _sim.TopDrive, "mud_pump": _sim.MudPump, "steering": _sim.Steering}
@@ -238,6 +238,18 @@ class Simulator(Lockstep):
     def connection(self, joints=0, remove=False):
         """Adds joints of drill pipe, or removes them; 0: a stand."""
         self._rig.connection(joints, remove)
+
+    def operate(self, operations):
+        """The driller begins operations, one after the other, as a scene has them: {"do": "trip", "to_depth": 1200}, a list of such, or their YAML. The reading
+        operation_number is 0 once all are finished. A set point takes over the rig from them."""
+        self._hand_over()
+        self._rig.operate(yaml_of(operations))
+        return self._look()
+
+    @property
+    def given_up(self):
+        """Why the operation under way was given up, the block braked; "": it was not."""
+        return self._rig.given_up()
 
     # --- the connection
 

@@ -270,6 +270,8 @@ PYBIND11_MODULE(_sim, module)
       .def("fault", &InProcessRig::fault)
       .def("slips", &InProcessRig::slips)
       .def("connection", &InProcessRig::connection)
+      .def("operate", &InProcessRig::operate)
+      .def("given_up", &InProcessRig::given_up)
       .def("save", &InProcessRig::save)
       .def("restore", &InProcessRig::restore);
 }

@@ -154,14 +154,19 @@ Message to_message(const RigSignals& from, const FrameRecord& frame, const std::
   m.epoch = frame.epoch;
 #define BOTH(type, name, ...) m.name = from.name;
 #include "drill_rig_sim/scene/signal_list.h"
-  m.current_operation = text_of(from.crew);
-  if (from.crew == CrewTask::none && frame.operation.number > 0) m.current_operation = word_of(frame.operation.kind);
+  m.current_operation = what_is_done(frame);
   m.operation_number = static_cast<std::uint32_t>(frame.operation.number);
   m.operation_progress = frame.operation.progress;
   copy_setpoints(frame, m);
   return m;
 }
 }  // namespace
+
+std::string what_is_done(const FrameRecord& frame)
+{
+  if (frame.truth.crew != CrewTask::none) return text_of(frame.truth.crew);
+  return frame.operation.number > 0 ? word_of(frame.operation.kind) : "";
+}
 
 RigState to_rig_state(const ShownSignals& from, const FrameRecord& frame, const std::string& frame_id)
 {

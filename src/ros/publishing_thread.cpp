@@ -10,8 +10,9 @@ namespace drill_rig_sim
 {
 PublishingThread::PublishingThread(ros::NodeHandle& node, const Parameters& parameters, FrameRing& ring,
                                    Subscriptions& subscriptions, std::function<void()> ask_for_picture,
-                                   std::function<void()> on_change)
+                                   std::function<void(const FrameRecord&)> on_frame, std::function<void()> on_change)
     : ring_(ring),
+      on_frame_(std::move(on_frame)),
       on_change_(std::move(on_change)),
       tells_time_(parameters.publish_clock && parameters.use_sim_time),
       priority_(std::max(0, parameters.realtime.fifo_priority - 1)),
@@ -62,6 +63,7 @@ void PublishingThread::run()
   while (const FrameOutput* s = ring_.next())
   {
     publish(*s);
+    on_frame_(s->frame);
     bool changed = false;
     {
       const std::lock_guard<std::mutex> lock(mutex_);

@@ -34,10 +34,12 @@ RigNode::RigNode()
       scene_(checked_scene(parameters_)),
       mailbox_(node_),
       loop_(parameters_, std::make_unique<Simulator>(scene_, parameters_.seed), mailbox_, ring_),
+      operations_(service_node_, loop_),
       clock_(node_, service_node_, parameters_, [this](std::int64_t clock) { loop_.hear_clock(clock); }),
       followers_(node_, parameters_, [this](std::int64_t slowest) { loop_.hear_followers(slowest); }),
       publishing_(
-          node_, parameters_, ring_, loop_.subscriptions(), [this] { loop_.refresh(); }, [this] { diagnostics_.publish(); }),
+          node_, parameters_, ring_, loop_.subscriptions(), [this] { loop_.refresh(); },
+          [this](const FrameRecord& frame) { operations_.follow(frame); }, [this] { diagnostics_.publish(); }),
       diagnostics_(
           node_, [this] { return publishing_.last(); }, mailbox_.refusals(), mailbox_.senders(),
           [this] { return clock_.trouble(); }),

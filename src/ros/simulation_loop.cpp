@@ -171,11 +171,7 @@ CommandResult SimulationLoop::accept(const Setpoint& c, CommandKind kind) noexce
   }
   if (result.outcome == CommandResult::Outcome::clamped) rig_.last_clamp = result.reason;
   rig_.commands.last = rig_.commands.of(kind) = time_.stamp();
-  if (rig_.playing)
-  {
-    rig_.playing = false;  // a command takes over the rig
-    set_timeout();
-  }
+  if (rig_.playing) take_over(kind == CommandKind::winch);
   watch_stream(c);
   return result;
 }
@@ -197,6 +193,13 @@ void SimulationLoop::watch_stream(const TopDriveSetpoint& c) noexcept
 {
   const bool is_stream = rig_.drive_stream.take(rig_.simulator->truth().time, parameters_.command_timeout);
   if (!is_stream || !turns(c)) rig_.simulator->drive_command_stands();
+}
+
+void SimulationLoop::take_over(bool by_winch) noexcept
+{
+  rig_.playing = false;
+  rig_.player.hand_over(*rig_.simulator, by_winch);
+  set_timeout();
 }
 
 // A program speaks once per line: its silence is no lost stream.
@@ -232,6 +235,25 @@ void SimulationLoop::set_paused(bool paused) noexcept
   hand_over({});  // for the diagnostics and rig_state's run_state
 }
 
+std::uint32_t SimulationLoop::play(const ScenePlayer& player)
+{
+  if (rig_.playing) rig_.player.operations().stop(*rig_.simulator);
+  rig_.player = player;
+  rig_.playing = true;
+  rig_.order = ++orders_;
+  mailbox_.clear();
+  set_timeout();
+  hand_over_again();
+  return rig_.order;
+}
+
+void SimulationLoop::stop_playing(std::uint32_t order) noexcept
+{
+  if (!rig_.playing || rig_.order != order) return;
+  take_over(false);
+  hand_over_again();
+}
+
 std::unique_ptr<Simulator> SimulationLoop::replace(std::unique_ptr<Simulator> simulator)
 {
   std::unique_ptr<Simulator> old = std::move(rig_.simulator);
@@ -259,6 +281,7 @@ void SimulationLoop::go_back(const SimulatorState& state, const ScenePlayer& pla
   ++epoch_;
   rig_.player = player;
   rig_.playing = playing;
+  rig_.order = 0;
   rig_.failed = false;
   rig_.commands = commands;
   mailbox_.clear();

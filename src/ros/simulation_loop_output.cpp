@@ -87,6 +87,8 @@ void SimulationLoop::fill_record(FrameRecord& record, bool accuracy_due) const n
   record.rig = rig_.simulator->scene().rig;
   record.commands = rig_.commands;
   record.operation = rig_.playing ? rig_.player.operations().status() : OperationStatus();
+  record.playing = rig_.playing;
+  record.order = rig_.order;
   record.physics = rig_.simulator->statistics();
   record.accuracy = accuracy_due ? accuracy_with_statistics(*rig_.simulator) : accuracy_of(*rig_.simulator);
   record.loop = statistics_;

@@ -14,6 +14,7 @@
 #include "problems.h"
 #include "scene_keys.h"
 #include "read_hydraulics.h"
+#include "read_operations.h"
 #include "settings.h"
 #include "survey_entry.h"
 #include "text_file.h"
@@ -57,7 +58,8 @@ public:
     read_one(top, "", "numerics", numerics_keys, scene.numerics);
     in(top, "", "instruments", [&](const YAML::Node& n, const std::string& p) { read_instruments(n, p, scene.instruments); });
     read_program(top, scene.program);
-    read_operations(top, scene.operations);
+    in(top, "", "operations",
+       [&](const YAML::Node& n, const std::string& p) { read_operations(n, p, scene.operations, problems_); });
 
     // checks between keys make sense only once every key alone is right
     problems_.raise();
@@ -96,22 +98,6 @@ private:
        [&](const YAML::Node& n, const std::string& p) { read_block(n, p, table, every_kind, spec, problems_, signal_unit); });
   }
 
-  // calls read(node, path) for each item of a list and notes its line
-  template <class Read>
-  void for_each_item(const YAML::Node& node, const std::string& path, const Read& read)
-  {
-    if (!node.IsSequence())
-    {
-      problems_.add(path, describe(node) + " is given, allowed: a list");
-      return;
-    }
-    for (std::size_t i = 0; i < node.size(); ++i)
-    {
-      problems_.note(item_key(path, i), line_of(node[i]));
-      read(node[i], item_key(path, i));
-    }
-  }
-
   template <class Spec>
   void read_list(const Entries& entries, const std::string& block, const char* key, const Table<Spec>& table,
                  std::vector<Spec>& list)
@@ -119,7 +105,7 @@ private:
     in(entries, block, key,
        [&](const YAML::Node& n, const std::string& p)
        {
-         for_each_item(n, p,
+         for_each_item(n, p, problems_,
                        [&](const YAML::Node& item, const std::string& path)
                        {
                          list.emplace_back();
@@ -171,7 +157,7 @@ private:
   void read_stations(const YAML::Node& node, const std::string& path, WellSpec& well)
   {
     bool good = true;
-    for_each_item(node, path,
+    for_each_item(node, path, problems_,
                   [&](const YAML::Node& item, const std::string& p)
                   {
                     double value[3] = {};
@@ -216,7 +202,7 @@ private:
     in(top, "", "string",
        [&](const YAML::Node& n, const std::string& p)
        {
-         for_each_item(n, p,
+         for_each_item(n, p, problems_,
                        [&](const YAML::Node& item, const std::string& path)
                        {
                          parts.emplace_back();
@@ -225,22 +211,10 @@ private:
        });
   }
 
-  // the word under `key` decides which other keys a block may have, so it is read ahead of them
-  bool read_kind(const YAML::Node& node, const std::string& path, const char* key, const std::vector<const char*>& words,
-                 int& word)
-  {
-    if (!node.IsMap() || !node[key].IsDefined())
-    {
-      problems_.add(join(path, key), "is missing, allowed: " + to_text(words));
-      return false;
-    }
-    return read_word(node[key], join(path, key), words, word, problems_);
-  }
-
   void read_part(const YAML::Node& node, const std::string& path, PartSpec& part)
   {
     int word = 0;
-    if (!read_kind(node, path, "type", part_type_words, word)) return;
+    if (!read_kind(node, path, "type", part_type_words, word, problems_)) return;
     const auto type = static_cast<PartType>(word);
     if (type == PartType::bit) part.bit.emplace();
     if (type == PartType::mud_motor) part.motor.emplace();
@@ -277,7 +251,7 @@ private:
     in(top, "", "program",
        [&](const YAML::Node& n, const std::string& p)
        {
-         for_each_item(n, p,
+         for_each_item(n, p, problems_,
                        [&](const YAML::Node& line, const std::string& path)
                        {
                          program.emplace_back();
@@ -294,26 +268,10 @@ private:
     return unit_of(word_of("fault"), word_of("fault_target"));
   }
 
-  void read_operations(const Entries& top, std::vector<Operation>& operations)
-  {
-    in(top, "", "operations",
-       [&](const YAML::Node& n, const std::string& p)
-       {
-         for_each_item(n, p,
-                       [&](const YAML::Node& item, const std::string& path)
-                       {
-                         int word = 0;
-                         if (!read_kind(item, path, "do", operation_words, word)) return;
-                         operations.push_back(default_operation(static_cast<OperationKind>(word)));
-                         read_block(item, path, operation_keys, 1u << word, operations.back(), problems_);
-                       });
-       });
-  }
-
   void read_bit_torque(const YAML::Node& node, const std::string& path, BitTorqueSpec& torque)
   {
     int word = static_cast<int>(torque.model);
-    if (node.IsMap() && node["model"].IsDefined() && !read_kind(node, path, "model", bit_torque_words, word)) return;
+    if (node.IsMap() && node["model"].IsDefined() && !read_kind(node, path, "model", bit_torque_words, word, problems_)) return;
     read_block(node, path, bit_torque_keys, 1u << word, torque, problems_);
   }
 

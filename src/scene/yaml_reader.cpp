@@ -221,6 +221,17 @@ bool read_word(const YAML::Node& node, const std::string& path, const std::vecto
   return false;
 }
 
+bool read_kind(const YAML::Node& node, const std::string& path, const char* key, const std::vector<const char*>& words, int& word,
+               Problems& problems)
+{
+  if (!node.IsMap() || !node[key].IsDefined())
+  {
+    problems.add(join(path, key), "is missing, allowed: " + to_text(words));
+    return false;
+  }
+  return read_word(node[key], join(path, key), words, word, problems);
+}
+
 void read_word_set(const YAML::Node& node, const std::string& path, const std::vector<const char*>& words, unsigned& value,
                    Problems& problems)
 {

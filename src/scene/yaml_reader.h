@@ -39,6 +39,27 @@ void read_count_or_fill(const YAML::Node& node, const std::string& path, const R
 std::map<std::string, YAML::Node> read_entries(const YAML::Node& node, const std::string& path,
                                                const std::vector<const char*>& known, Problems& problems);
 
+/// Reads the word under `key` ahead of the other keys, where it decides which of them a block may have. False, and a problem
+/// noted: it is missing or none of `words`.
+bool read_kind(const YAML::Node& node, const std::string& path, const char* key, const std::vector<const char*>& words, int& word,
+               Problems& problems);
+
+/// Calls read(node, path) for each item of a list and notes its line.
+template <class Read>
+void for_each_item(const YAML::Node& node, const std::string& path, Problems& problems, const Read& read)
+{
+  if (!node.IsSequence())
+  {
+    problems.add(path, describe(node) + " is given, allowed: a list");
+    return;
+  }
+  for (std::size_t i = 0; i < node.size(); ++i)
+  {
+    problems.note(item_key(path, i), line_of(node[i]));
+    read(node[i], item_key(path, i));
+  }
+}
+
 /// "a.b" from "a" and "b".
 std::string join(const std::string& path, const std::string& key);
 

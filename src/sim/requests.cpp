@@ -9,6 +9,7 @@
 
 #include "drill_rig_sim/crew/connection.h"
 #include "drill_rig_sim/crew/refusals.h"
+#include "drill_rig_sim/scene/read_scene.h"
 #include "drill_rig_sim/sim/choice.h"
 #include "drill_rig_sim/sim/faults.h"
 #include "drill_rig_sim/well/problem.h"
@@ -84,6 +85,30 @@ void ask_fault(Simulator& simulator, const Fault& fault, bool clear)
 void ask_slips(Simulator& simulator, bool set)
 {
   refuse_if(simulator.set_slips(set));
+}
+
+Scene present_scene(const Simulator& simulator)
+{
+  Scene scene = simulator.scene();
+  scene.program.clear();
+  scene.operations.clear();
+  const Truth& now = simulator.truth();
+  scene.well.hole_depth = now.hole_depth;
+  scene.start.bit_depth = now.bit_depth;
+  scene.start.block_height = now.block_height;
+  return scene;
+}
+
+void require_on_hook(const Simulator& simulator)
+{
+  if (simulator.truth().in_slips) throw std::runtime_error("the string is in the slips; needed: string on the hook");
+}
+
+ScenePlayer operations_of(const std::string& yaml_text, const std::string& name_for_messages, const Scene& present)
+{
+  Scene scene = present;
+  scene.operations = parse_operations(yaml_text, name_for_messages, present);
+  return ScenePlayer(scene);
 }
 
 void ask_connection(Simulator& simulator, std::uint32_t joints, bool remove)

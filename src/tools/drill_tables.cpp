@@ -58,8 +58,9 @@ std::string tail_of_fields()
   return line("string current_operation",
               "of the rig's crew: connecting (make_connection), by connections: auto also stopping, lifting, quieting, slacking, "
               "picking_up, "
-              "restarting, lowering; else of the scene's operations, by their words there; empty: none") +
-         line("uint32 operation_number", "of the scene's operations, counted from 1; 0: none is under way [-]") +
+              "restarting, lowering; else of the operations (of the scene, or asked for by run_operations), by their words in "
+              "scenes; empty: none") +
+         line("uint32 operation_number", "of the operations, counted from 1; 0: none is under way [-]") +
          line("float64 operation_progress", "towards the nearest of its ends, 0 to 1 [-]") +
          line("time last_command", "stamp of the last accepted command; 0 = none yet") +
          line("WinchCommand winch",

@@ -68,7 +68,7 @@ def find(texts):
 
 
 def generated(files):
-    """The headers that are made from messages and services."""
+    """The headers that are made from messages, services and actions."""
     names = set()
     for file in files:
         folder, name = os.path.split(file)
@@ -77,6 +77,8 @@ def generated(files):
             names.add('drill_rig_sim/%s.h' % stem)
         if folder == 'srv' and kind == '.srv':
             names.update('drill_rig_sim/%s%s.h' % (stem, part) for part in ('', 'Request', 'Response'))
+        if folder == 'msg/actions':
+            names.update('drill_rig_sim/%s%s.h' % (stem, part) for part in ('Action', 'Goal', 'Result', 'Feedback'))
     return names
 
 

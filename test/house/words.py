@@ -18,7 +18,7 @@ NEVER = {
 }
 # a line of C++ or Python counts by its texts between quotes
 QUOTED = re.compile(r'"(?:[^"\\]|\\.)*"|\'(?:[^\'\\]|\\.)*\'')
-TEXTS = ('.md', '.rst', '.msg', '.srv', '.launch', '.yaml', '.xml')
+TEXTS = ('.md', '.rst', '.msg', '.srv', '.action', '.launch', '.yaml', '.xml')
 SOURCES = ('.cpp', '.h', '.py')
 # comments of these headers are not held to it yet
 NOT_LOOKED_AT = tuple('include/drill_rig_sim/%s/' % room for room in ('model', 'string', 'contact'))

@@ -41,6 +41,21 @@ class RigModule(unittest.TestCase):
         for column, wanted in (("time", series(states, "t")), ("hook_load", series(states, "truth.hook_load")), ("wob", series(states, "bit.wob"))):
             self.assertLess(max(abs(run[column][-5:] - wanted)), 1e-6 * max(abs(wanted)) + 1e-6)
 
+    def test_operations_are_asked_for_while_it_runs(self):
+        before = self.rig.operate([{"do": "pick_up", "distance": "3 m", "speed": 0.5}])
+        self.rig.step_until(lambda s: s.operation_number == 0, timeout=60.0)
+        after = self.rig.step(2.0)  # until the block stands
+        self.assertAlmostEqual(3.0, after.block_height - before.block_height, delta=0.02)
+        self.assertEqual("", self.rig.given_up)
+        with self.assertRaisesRegex(Refused, "allowed: flow"):
+            self.rig.operate({"do": "fly"})
+        self.rig.operate({"do": "drill", "weight": 1e4, "distance": 1.0, "speed": 0.2})
+        self.rig.step(1.0)
+        self.rig.pump(0.01)
+        self.assertTrue(self.rig.step().brake_set)
+        self.wait(lambda: self.rig.given_up)
+        self.assertIn("taken over", self.rig.given_up)
+
     def wait(self, until):
         deadline = time.monotonic() + PATIENCE
         while not until():

@@ -19,7 +19,7 @@ from drill_rig_sim.control import drive
 from drill_rig_sim.lockstep import MODES, RPM, UNSENSED
 from drill_rig_sim.score import score
 from drill_rig_sim.score_runs import run_of_record, run_of_states
-from drill_rig_sim.sim import Failed, Refused, Simulator, TimedOut, series, static
+from drill_rig_sim.sim import RPM, Failed, Refused, Simulator, TimedOut, series, static
 
 PACKAGE_DIR = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 QUICK = os.path.join(PACKAGE_DIR, "config/scenes/quick.yaml")
@@ -209,6 +209,34 @@ class InThisProcess(unittest.TestCase):
         self.assertEqual(1, state.operation_number)
         rig.brake()
         self.assertEqual(("", 0), (rig.step().current_operation, rig.state.operation_number))
+
+    def test_operations_are_asked_for_while_it_runs(self):
+        rig = Simulator(os.path.join(PACKAGE_DIR, "test/scenes/operations.yaml"))
+        rig.rotate(rpm=20)
+        before = rig.operate([{"do": "pick_up", "distance": "3 m"}, {"do": "flow", "flow": 0.01}])
+        self.assertEqual(20.0, round(rig.step(10.0).top_drive.speed / RPM, 6))
+        self.assertEqual(("pick_up", 1), (rig.state.current_operation, rig.state.operation_number))
+        rig.save("midway")
+        after = rig.step_until(lambda s: s.operation_number == 0, timeout=60.0)
+        self.assertAlmostEqual(3.0, after.block_height - before.block_height, delta=0.01)
+        self.assertEqual((True, 0.01, ""), (rig.step().winch.brake, rig.state.mud_pump.flow, rig.given_up))
+        rig.restore("midway")
+        again = rig.step_until(lambda s: s.operation_number == 0, timeout=60.0)
+        self.assertEqual((after.t, after.block_height), (again.t, again.block_height))
+        rig.operate("{do: slack_off, distance: 3}")
+        rig.step(5.0)
+        rig.pump(0.02)
+        self.assertEqual((True, 0), (rig.step().winch.brake, rig.state.operation_number))
+        rig.operate({"do": "connection"})
+        rig.step_until(lambda s: rig.given_up, timeout=60.0)
+        self.assertIn("the bit reaches bottom before", rig.given_up)
+        for operations, words in (({"do": "trip", "to_depth": "400 ft"}, "400 ft is below the hole's bottom"), ("{do: fly}", "allowed: flow"), ([], "is empty")):
+            with self.assertRaisesRegex(Refused, words):
+                rig.operate(operations)
+        rig.step(2.0)  # until the block stands
+        rig.slips(True)
+        with self.assertRaisesRegex(Refused, "string is in the slips"):
+            rig.operate("{do: wait, time: 1}")
 
     def test_another_well_and_another_start(self):
         self.assertAlmostEqual(50.0, self.rig.reset(bit_depth=50.0).truth.bit_depth, delta=1e-3)

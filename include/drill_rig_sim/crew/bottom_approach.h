@@ -11,6 +11,13 @@ struct HookedString
 {
   double stiffness = 0.0;  ///< K, axial, of pipe and lines in series [N/m]
   double mass = 0.0;       ///< M, of pipe and block [kg]
+
+  template <class V>
+  void visit(V& v)
+  {
+    v("stiffness", stiffness);
+    v("mass", mass);
+  }
 };
 
 /// Lowers a bit to bottom, where WeightFeed keeps a weight W* [N].

@@ -7,12 +7,18 @@
 
 namespace drill_rig_sim
 {
-/// Why drill or slide was given up.
+/// Why an operation was given up: drill and slide for the first two, others cannot reach their end.
 enum class OperationTrouble
 {
   none,
-  motor_stalled,  ///< differential pressure stood at the motor's stall pressure for stall_lasts
-  over_weight     ///< surface weight on bit stood far above what was wanted for over_weight_lasts
+  motor_stalled,    ///< differential pressure stood at the motor's stall pressure for stall_lasts
+  over_weight,      ///< surface weight on bit stood far above what was wanted for over_weight_lasts
+  below_bottom,     ///< the depth of a trip is below the bottom of the hole
+  no_zero,          ///< drill or slide begins on bottom or in the slips without a zero of the weight
+  tag_on_bottom,    ///< tag begins there
+  nothing_to_take,  ///< the block is at its highest place, and the crew has no stand to take away
+  no_room_to_add,   ///< the block is at its lowest place, and the crew can add no stand
+  bottom_too_near   ///< the bit is on bottom before the block is low enough for a connection
 };
 
 /// One line; empty for none.

@@ -77,7 +77,8 @@ struct PressureTrend
   }
 };
 
-/// Plays a scene's operations: gives the simulator the set points of the one under way before every frame, by the readings alone.
+/// Plays operations, a scene's or those that a running rig is asked for: gives the simulator the set points of the one under way
+/// before every frame, by the readings alone.
 /// - flow and rotate ramp their set point; it stays in force.
 /// - pick_up and slack_off move the block, ream up and down again to where it began `times`; all are stopped or turned back so
 /// far ahead of their end as
@@ -90,7 +91,7 @@ struct PressureTrend
 ///   beginning.
 /// - drill brings the bit to bottom (BottomApproach), keeps `weight` by the block (WeightFeed), and ends with the brake set.
 /// Without a zero of the weight it
-///   zeroes all the way down; where it cannot, on bottom, it fails the simulator's next frame.
+///   zeroes all the way down.
 /// - slide does the same with the drive holding an angle (or rocking about it), which it turns by what the toolface lacks
 /// whenever a toolface has
 ///   come that was measured toolface_settles after the last turn.
@@ -98,10 +99,10 @@ struct PressureTrend
 /// - connection runs the block to where the rig's crew (crew.h) adds a stand, or takes one away, and is over when that is done;
 /// trip moves the bit to a depth, where it
 ///   stands at the end, the crew making connections on the way, whatever the scene's `connections` says. Both end with the brake
-///   set, and fail the simulator's next frame where the block's way ends without the crew, and where the bit would go through the
-///   hole's bottom.
+///   set.
 /// - oscillate rocks the string; without a `time` it goes on while others follow.
-/// Where drill or slide gets into trouble (operation_trouble.h) the brake is set and nothing else is played.
+/// An operation that gets into trouble or cannot reach its end (operation_trouble.h) is given up: the brake is set and nothing
+/// else is played.
 class OperationsPlayer
 {
 public:
@@ -115,14 +116,17 @@ public:
   void apply(RigControls& rig) noexcept;
   bool finished() const noexcept { return next_ == operations_.size(); }
   void rewind() noexcept;
+  /// Somebody else has the rig from now on: a block that moves for the operation under way is braked, and the crew goes.
+  void stop(RigControls& rig) const noexcept;
   OperationStatus status() const noexcept;
   /// When each operation began, in order, and after them when the last one was over [s]; NaN: not yet.
   const std::vector<double>& began() const noexcept { return began_; }
 
-  /// Where it is; the operations are the scene's.
   template <class V>
   void visit(V& v)
   {
+    v("operations", operations_);
+    v("string", string_);
     v("next", next_);
     v("began", began_);
     v("began_bit", began_bit_);
@@ -170,7 +174,7 @@ private:
   std::vector<Operation> operations_;
   double acceleration_;  // of the winch [m/s2]
   double tag_settles_;   // tag_settles, and a period of the waves over which weight is a mean [s]
-  HookedString string_;  // at the start
+  HookedString string_;  // when the operations were given
   std::size_t next_ = 0;
   std::vector<double> began_;
   double began_bit_ = 0.0, began_hole_ = 0.0, began_block_ = 0.0,

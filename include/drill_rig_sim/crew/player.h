@@ -4,6 +4,7 @@
 
 #include "drill_rig_sim/crew/operations.h"
 #include "drill_rig_sim/crew/program.h"
+#include "drill_rig_sim/crew/rig_controls.h"
 
 namespace drill_rig_sim
 {
@@ -27,6 +28,14 @@ public:
   {
     program_.rewind();
     operations_.rewind();
+  }
+  /// A command from outside has taken over the rig, and nothing is played any more: a block that an operation moves is braked,
+  /// unless the command was one `of_winch`.
+  void hand_over(RigControls& rig, bool of_winch) const noexcept
+  {
+    const WinchSetpoint asked = rig.asked().winch;
+    operations_.stop(rig);
+    if (of_winch) rig.command(asked);
   }
   const OperationsPlayer& operations() const noexcept { return operations_; }
 

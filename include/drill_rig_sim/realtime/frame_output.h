@@ -98,6 +98,8 @@ struct FrameRecord
   RigSpec rig;
   CommandStamps commands;
   OperationStatus operation;  ///< number 0 also while commands from outside have the rig
+  bool playing = false;       ///< program and operations give the commands
+  std::uint32_t order = 0;    ///< number of the operations that the running rig was asked for; 0: none
   SimulatorStatistics physics;
   AccuracyRecord accuracy;
   LoopStatistics loop;

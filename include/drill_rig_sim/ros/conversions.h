@@ -44,6 +44,9 @@ TopDriveSetpoint to_setpoint(const TopDriveCommand& m);
 PumpSetpoint to_setpoint(const MudPumpCommand& m);
 SteeringSetpoint to_setpoint(const SteeringCommand& m);
 
+/// What the crew does, else the operation under way; empty: nothing.
+std::string what_is_done(const FrameRecord& frame);
+
 /// The readings of a frame, and its truth.
 RigState to_rig_state(const ShownSignals& from, const FrameRecord& frame, const std::string& frame_id);
 RigTruth to_rig_truth(const TrueSignals& from, const FrameRecord& frame, const std::string& frame_id);

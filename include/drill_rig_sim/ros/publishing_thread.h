@@ -25,9 +25,11 @@ namespace drill_rig_sim
 class PublishingThread
 {
 public:
-  /// `on_change` is called after a change of run state or a refused command is known.
+  /// `on_frame` is called with each frame that is published, `on_change` after a change of run state or a refused command is
+  /// known.
   PublishingThread(ros::NodeHandle& node, const Parameters& parameters, FrameRing& ring, Subscriptions& subscriptions,
-                   std::function<void()> ask_for_picture, std::function<void()> on_change);
+                   std::function<void()> ask_for_picture, std::function<void(const FrameRecord&)> on_frame,
+                   std::function<void()> on_change);
   ~PublishingThread();
 
   void start();
@@ -45,6 +47,7 @@ private:
   void tell_leader(const FrameRecord& record);
 
   FrameRing& ring_;
+  std::function<void(const FrameRecord&)> on_frame_;
   std::function<void()> on_change_;
   bool tells_time_;  // to this node's ros::Time, see start_roscpp()
   int priority_;     // SCHED_FIFO; 0: as all threads

@@ -10,6 +10,7 @@
 #include "drill_rig_sim/ros/diagnostics_publisher.h"
 #include "drill_rig_sim/ros/follower_watch.h"
 #include "drill_rig_sim/ros/mailbox.h"
+#include "drill_rig_sim/ros/operations_action.h"
 #include "drill_rig_sim/ros/parameters.h"
 #include "drill_rig_sim/ros/publishing_thread.h"
 #include "drill_rig_sim/ros/services.h"
@@ -41,6 +42,7 @@ private:
   Mailbox mailbox_;
   FrameRing ring_;
   SimulationLoop loop_;
+  OperationsAction operations_;
   ClockWatch clock_;
   FollowerWatch followers_;
   PublishingThread publishing_;

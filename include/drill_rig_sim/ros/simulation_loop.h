@@ -39,7 +39,8 @@ struct RunningRig
 
   std::unique_ptr<Simulator> simulator;
   ScenePlayer player;
-  bool playing;  ///< the scene's program and operations give the commands
+  bool playing;             ///< the player's program and operations give the commands
+  std::uint32_t order = 0;  ///< number of what play() gave it; 0: what it plays is the scene's
   bool failed = false;
   CommandStamps commands;
   CommandStream winch_stream, drive_stream;
@@ -111,6 +112,12 @@ public:
   std::unique_ptr<Simulator> replace(std::unique_ptr<Simulator> simulator);
   /// Back to a saved state of this simulator, to where its player was and to its commands' stamps. The clock runs on.
   void go_back(const SimulatorState& state, const ScenePlayer& player, bool playing, const CommandStamps& commands);
+  /// Another player gives the commands from the next frame on. Its number, by which frames are marked (FrameRecord::order).
+  std::uint32_t play(const ScenePlayer& player);
+  /// Ends the player of this number, unless another has come: a block that it moves is braked.
+  void stop_playing(std::uint32_t order) noexcept;
+  /// How often another rig, well or saved state has taken the place of the one before.
+  std::uint32_t epoch() const noexcept { return epoch_; }
   /// Hands the present state over once more, stamped as it was: after a change of the readings alone. While time stands rig_state
   /// says it; otherwise its next frame does.
   void hand_over_again() noexcept;
@@ -179,6 +186,7 @@ private:
   template <class Setpoint>
   CommandResult accept(const Setpoint& c, CommandKind kind) noexcept;
   void set_timeout() noexcept;
+  void take_over(bool by_winch) noexcept;
   void watch_stream(const WinchSetpoint& c) noexcept;
   void watch_stream(const TopDriveSetpoint& c) noexcept;
   void watch_stream(const PumpSetpoint&) noexcept {}
@@ -215,7 +223,7 @@ private:
   std::uint32_t frames_to_go_ = 0;
   bool stepping_ = false;
   StepResult step_;
-  std::uint32_t epoch_ = 0;                      // of FrameRecord
+  std::uint32_t epoch_ = 0, orders_ = 0;         // of FrameRecord
   RunState run_state_said_ = RunState::waiting;  // what rig_state said last
   bool announced_ = false;                       // a stamped frame of this rig has been handed over
   std::thread thread_;

@@ -54,6 +54,27 @@ struct Operation
   double time = unset;           ///< end: so long after it began, or after a ramp was over [s]
   double remove = unset;         ///< 1: connection takes a stand away
   double overpull = unset;       ///< end of pick_up: hook load above that at its beginning [N]
+
+  template <class V>
+  void visit(V& v)
+  {
+    v("kind", kind);
+    v("ramp", ramp);
+    v("flow", flow);
+    v("rotary_speed", rotary_speed);
+    v("speed", speed);
+    v("weight", weight);
+    v("toolface", toolface);
+    v("ratio", ratio);
+    v("amplitude_right", amplitude_right);
+    v("amplitude_left", amplitude_left);
+    v("times", times);
+    v("to_depth", to_depth);
+    v("distance", distance);
+    v("time", time);
+    v("remove", remove);
+    v("overpull", overpull);
+  }
 };
 
 /// Whether a number of an operation or of a program's line was given: unset is NaN.

@@ -31,6 +31,11 @@ Scene read_scene(const std::string& file, const std::vector<std::string>& settin
 Scene parse_scene(const std::string& yaml_text, const std::string& name_for_messages,
                   const std::vector<std::string>& settings = {});
 
+/// Operations for a rig that runs already: YAML as `operations` of a scene has it, a list or one block.
+/// `present`: the rig's scene, with the hole's depth, the bit's depth and the block's height at present as its start.
+/// Throws SceneError with all problems found: in a key, or where the operations do not fit that rig.
+std::vector<Operation> parse_operations(const std::string& yaml_text, const std::string& name_for_messages, Scene present);
+
 /// The scene file's reference as Markdown: every block with its keys, units, defaults, allowed ranges and meanings.
 std::string scene_reference();
 

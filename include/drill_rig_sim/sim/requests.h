@@ -2,7 +2,10 @@
 #ifndef DRILL_RIG_SIM_SIM_REQUESTS_H
 #define DRILL_RIG_SIM_SIM_REQUESTS_H
 
+#include <string>
+
 #include "drill_rig_sim/crew/commands.h"
+#include "drill_rig_sim/crew/player.h"
 #include "drill_rig_sim/scene/fault_spec.h"
 #include "drill_rig_sim/sim/simulator.h"
 
@@ -31,6 +34,14 @@ std::string words_of(const Zero& zero);
 void ask_fault(Simulator& simulator, const Fault& fault, bool clear);
 /// Sets the slips or pulls them.
 void ask_slips(Simulator& simulator, bool set);
+/// The scene that runs, with the hole's depth, the bit's depth and the block's height at present as its start and without program
+/// and operations: what operations that are asked for now are read and checked by (operations_of()).
+Scene present_scene(const Simulator& simulator);
+/// Refuses operations while the string is in the slips.
+void require_on_hook(const Simulator& simulator);
+/// What plays the operations of a YAML text (parse_operations()) on that rig. Throws SceneError. Needs no simulator, so that one
+/// goes on meanwhile.
+ScenePlayer operations_of(const std::string& yaml_text, const std::string& name_for_messages, const Scene& present);
 /// Begins to add `joints` to the string, 0 to most_joints (connection.h), or to `remove` them; 0: a stand.
 void ask_connection(Simulator& simulator, std::uint32_t joints, bool remove);
 

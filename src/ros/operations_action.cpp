@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drill_rig_sim/ros/operations_action.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+#include "drill_rig_sim/ros/conversions.h"
+#include "drill_rig_sim/sim/requests.h"
+#include "step_request.h"
+
+namespace drill_rig_sim
+{
+namespace
+{
+constexpr double feedback_period = 0.2;  // of simulated time [s]
+
+std::string one_line(std::string text)
+{
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  return text;
+}
+
+std::string place_of(const OperationStatus& operation)
+{
+  std::ostringstream text;
+  text << "operation " << operation.number << " of " << operation.count << ", " << word_of(operation.kind);
+  return text.str();
+}
+}  // namespace
+
+OperationsAction::OperationsAction(ros::NodeHandle& node, SimulationLoop& loop)
+    : loop_(loop), server_(node, "run_operations", false)
+{
+  server_.registerGoalCallback([this] { begin(); });
+  server_.registerPreemptCallback([this] { cancel(); });
+  server_.start();
+}
+
+void OperationsAction::begin()
+{
+  const auto goal = server_.acceptNewGoal();
+  try
+  {
+    ROS_INFO_STREAM("run_operations: " << start(goal->operations));
+  }
+  catch (const std::exception& error)
+  {
+    RunOperationsResult result;
+    result.message = one_line(error.what());
+    ROS_WARN_STREAM("run_operations refused: " << result.message);
+    server_.setAborted(result, result.message);
+  }
+}
+
+/// Reads and checks while the rig goes on, then gives it the player between two frames.
+std::string OperationsAction::start(const std::string& operations)
+{
+  Scene present;
+  std::uint32_t epoch = 0;
+  const auto require_ready = [](SimulationLoop& loop)
+  {
+    require_good(loop.rig());
+    require_on_hook(*loop.rig().simulator);
+  };
+  loop_.between_frames(
+      [&](SimulationLoop& loop)
+      {
+        require_ready(loop);
+        present = present_scene(*loop.rig().simulator);
+        epoch = loop.epoch();
+      });
+  const ScenePlayer player = operations_of(operations, "goal", present);
+  loop_.between_frames(
+      [&](SimulationLoop& loop)
+      {
+        require_ready(loop);
+        if (loop.epoch() != epoch) throw std::runtime_error("another rig, well or saved state has taken the place of this one");
+        began_ = loop.rig().simulator->truth().time;
+        epoch_ = epoch;
+        order_ = loop.play(player);
+      });
+  return std::to_string(player.operations().status().count) + " begin";
+}
+
+void OperationsAction::cancel()
+{
+  const std::uint32_t order = order_.exchange(0);
+  if (order == 0) return;  // it has just ended
+  double now = 0.0;
+  loop_.between_frames(
+      [&](SimulationLoop& loop)
+      {
+        loop.stop_playing(order);
+        now = loop.rig().simulator->truth().time;
+      });
+  RunOperationsResult result;
+  result.message = "cancelled";
+  result.duration = now - began_;
+  server_.setPreempted(result, result.message);
+}
+
+void OperationsAction::end(bool success, const std::string& message, double now)
+{
+  if (order_.exchange(0) == 0) return;  // cancelled
+  RunOperationsResult result;
+  result.success = success;
+  result.message = message;
+  result.duration = now - began_;
+  if (success)
+    server_.setSucceeded(result, message);
+  else
+    server_.setAborted(result, message);
+}
+
+void OperationsAction::follow(const FrameRecord& frame)
+{
+  const std::uint32_t order = order_;
+  if (order == 0) return;
+  const double now = frame.truth.time;
+  if (frame.epoch > epoch_) return end(false, "another rig, well or saved state has taken the place of this one", now);
+  if (frame.order != order) return;  // of a frame before it began
+  if (frame.run_state == RunState::failed) return end(false, std::string("a frame failed: ") + frame.failure.data(), now);
+  if (!frame.playing) return end(false, "a command on a topic has taken over the rig", now);
+  const OperationStatus& operation = frame.operation;
+  if (operation.trouble != OperationTrouble::none)
+    return end(false, place_of(operation) + ", was given up, the block is braked: " + text_of(operation.trouble), now);
+  if (operation.number == 0) return end(true, std::to_string(operation.count) + " operations are finished", now);
+  if (operation.number != told_number_ || std::abs(now - told_at_) >= feedback_period) give_feedback(frame);
+}
+
+void OperationsAction::give_feedback(const FrameRecord& frame)
+{
+  told_number_ = frame.operation.number;
+  told_at_ = frame.truth.time;
+  RunOperationsFeedback feedback;
+  feedback.operation_number = static_cast<std::uint32_t>(frame.operation.number);
+  feedback.operation_count = static_cast<std::uint32_t>(frame.operation.count);
+  feedback.current_operation = what_is_done(frame);
+  feedback.operation_progress = frame.operation.progress;
+  feedback.bit_depth = frame.readings.bit_depth;
+  feedback.hole_depth = frame.readings.hole_depth;
+  server_.publishFeedback(feedback);
+}
+
+}  // namespace drill_rig_sim
