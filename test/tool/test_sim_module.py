@@ -233,7 +233,8 @@ class InThisProcess(unittest.TestCase):
         for operations, words in (({"do": "trip", "to_depth": "400 ft"}, "400 ft is below the hole's bottom"), ("{do: fly}", "allowed: flow"), ([], "is empty")):
             with self.assertRaisesRegex(Refused, words):
                 rig.operate(operations)
-        rig.step(2.0)  # until the block stands
+        rig.rotate(rpm=0.0)
+        rig.step(10.0)  # until all stands
         rig.slips(True)
         with self.assertRaisesRegex(Refused, "string is in the slips"):
             rig.operate("{do: wait, time: 1}")
