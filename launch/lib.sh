@@ -2,11 +2,11 @@
 
 # The only list of what the package needs, by the names of Debian 12; differences of other releases stand below it.
 debian_releases="12 13"
-packages_build="g++ make cmake catkin ros-actionlib-msgs ros-std-msgs ros-geometry-msgs libactionlib-dev libdiagnostic-msgs-dev libdiagnostic-updater-dev libgeometry-msgs-dev
+packages_build="g++ make cmake catkin ros-actionlib-msgs ros-std-msgs ros-geometry-msgs libactionlib-dev libdiagnostic-msgs-dev libdiagnostic-updater-dev libdynamic-reconfigure-config-init-mutex-dev libgeometry-msgs-dev
   libnav-msgs-dev librosbag-storage-dev libroscpp-dev libroslib-dev libros-rosgraph-msgs-dev libsensor-msgs-dev libstd-srvs-dev libtf2-msgs-dev libtf2-ros-dev
   libvisualization-msgs-dev libeigen3-dev libsuitesparse-dev libsundials-dev libyaml-cpp-dev libtinyxml2-dev libcli11-dev nlohmann-json3-dev libspectra-dev libhwy-dev libgtest-dev
   librostest-dev pybind11-dev python3-dev"
-packages_run="python3-numpy python3-matplotlib python3-actionlib python3-actionlib-msgs python3-rospy python3-roslaunch python3-diagnostic-msgs python3-geometry-msgs python3-nav-msgs python3-sensor-msgs
+packages_run="python3-numpy python3-matplotlib python3-actionlib python3-actionlib-msgs python3-dynamic-reconfigure python3-rospy python3-roslaunch python3-diagnostic-msgs python3-geometry-msgs python3-nav-msgs python3-sensor-msgs
   python3-std-srvs python3-tf2-msgs python3-visualization-msgs python3-yaml"
 packages_web="python3-aiohttp libjs-chart.js python3-rosbag"
 packages_browser="chromium chromium-driver python3-selenium"

@@ -84,6 +84,15 @@ class Tables(unittest.TestCase):
         self.assertEqual([], [line for line in read("msg/RigState.msg").splitlines() if re.search("[<&]", line)])
 
 
+class Layouts(unittest.TestCase):
+    def test_curves_of_plotjuggler_are_fields_of_messages(self):
+        messages = {"rig_state": "msg/RigState.msg", "truth/bit": "msg/BitTruth.msg"}
+        curves = re.findall(r'<curve name="/rig/(\S+)/(\w+)"', read("config/plotjuggler/rig.xml"))
+        self.assertGreater(len(curves), 10)
+        for topic, field in curves:
+            self.assertRegex(read(messages[topic]), r"(?m)^float64 %s " % field)
+
+
 if __name__ == "__main__":
     if sys.argv[1:] in ([], ["--help"]):
         print(__doc__)
