@@ -4,6 +4,8 @@
 #include <cstdio>
 
 #include "drill_rig_sim/math/units.h"
+#include "drill_rig_sim/model/model.h"
+#include "drill_rig_sim/model/rig_forces.h"
 
 namespace drill_rig_sim
 {

@@ -3,7 +3,10 @@
 
 #include <cmath>
 
+#include "drill_rig_sim/instruments/sensor.h"
 #include "drill_rig_sim/model/forces/place_drag.h"
+#include "drill_rig_sim/model/model.h"
+#include "drill_rig_sim/model/state.h"
 
 namespace drill_rig_sim
 {

@@ -5,6 +5,9 @@
 #include <cmath>
 
 #include "drill_rig_sim/math/units.h"
+#include "drill_rig_sim/model/model.h"
+#include "drill_rig_sim/model/rig_forces.h"
+#include "drill_rig_sim/model/state.h"
 
 namespace drill_rig_sim
 {

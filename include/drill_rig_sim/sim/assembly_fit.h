@@ -5,11 +5,11 @@
 #include <optional>
 #include <string>
 
-#include "drill_rig_sim/model/model.h"
-#include "drill_rig_sim/model/rig_forces.h"
-
 namespace drill_rig_sim
 {
+class Model;
+struct RigForces;
+
 /// A bent motor that its hole bends straight: bit, sleeve, bend and the motor's upper end lean on opposite sides of the hole.
 struct TightAssembly
 {

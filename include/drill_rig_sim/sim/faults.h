@@ -6,9 +6,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "drill_rig_sim/instruments/sensor.h"
-#include "drill_rig_sim/model/model.h"
-#include "drill_rig_sim/model/state.h"
 #include "drill_rig_sim/scene/fault_spec.h"
 
 /// Faults of a rig. They are part of the state, so that snapshots hold them. Each kind can be active once: a second request
@@ -32,6 +29,10 @@
 ///   that loses its fluid, is a drift of dead_line_hook_load.
 namespace drill_rig_sim
 {
+class Model;
+struct SensorFault;
+struct State;
+
 /// The formation grips the node of the string that is nearest to measured depth `md` [m], where it is now: half an element off at
 /// most, or the uppermost in the hole; the shaft is never gripped. `bit_depth`: of the bit's face [m MD]. Needs pipe in the hole
 /// at `md`.

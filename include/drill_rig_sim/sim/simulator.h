@@ -2,6 +2,7 @@
 #ifndef DRILL_RIG_SIM_SIM_SIMULATOR_H
 #define DRILL_RIG_SIM_SIM_SIMULATOR_H
 
+#include <Eigen/Core>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -11,6 +12,7 @@
 #include "drill_rig_sim/crew/rig_controls.h"
 #include "drill_rig_sim/instruments/signals.h"
 #include "drill_rig_sim/instruments/zero_window.h"
+#include "drill_rig_sim/math/kernel.h"
 #include "drill_rig_sim/model/energy_accounts.h"
 #include "drill_rig_sim/model/profiler.h"
 #include "drill_rig_sim/model/work.h"

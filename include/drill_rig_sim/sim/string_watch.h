@@ -2,14 +2,15 @@
 #ifndef DRILL_RIG_SIM_SIM_STRING_WATCH_H
 #define DRILL_RIG_SIM_SIM_STRING_WATCH_H
 
+#include <cstddef>
 #include <vector>
-
-#include "drill_rig_sim/model/model.h"
-#include "drill_rig_sim/model/rig_forces.h"
-#include "drill_rig_sim/model/state.h"
 
 namespace drill_rig_sim
 {
+class Model;
+struct RigForces;
+struct State;
+
 /// A load over what is borne, where it is largest.
 struct LoadShare
 {
