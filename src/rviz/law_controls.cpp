@@ -20,13 +20,6 @@ namespace
 constexpr int between_words = 1000;  // that the law's process hears of the console, at most 3 s [ms]
 constexpr int patience = 3000;       // for the process to end [ms]
 
-/// Bounds and first value of a limit in SI, as in src/python/web/law_box.py. By law_points; 0: no limit, where that is allowed.
-struct Range
-{
-  double least, most, first;
-};
-constexpr Range ranges[] = {{1e3, 1e6, 5e4},     {1e-4, 0.1, 0.01}, {0.0, 5e7, 0.0}, {0.0, 2e5, 0.0},
-                            {0.0, 40.0, 6.2832}, {0.0, 1.0, 0.03},  {0.0, 2e4, 0.0}};
 constexpr std::size_t to_depth = 6;
 
 /// To where the block can go without a connection [m].
@@ -52,14 +45,12 @@ LawControls::LawControls(RigLink& link, QWidget* parent)
       status_(make_reading("autodriller status", this)),
       alive_(new QTimer(this))
 {
-  static_assert(sizeof ranges / sizeof ranges[0] == sizeof law_points / sizeof law_points[0], "a range for each");
   for (std::size_t n = 0; n < sizeof law_points / sizeof law_points[0]; ++n)
   {
     const LawPoint& point = law_points[n];
-    UnitBox* box =
-        add_set_point(QString("autodriller ") + point.name, point.dimension, ranges[n].least, ranges[n].most, ranges[n].first);
-    const bool is_optional = point.dimension == Dimension::pressure || point.dimension == Dimension::torque;
-    if (is_optional) box->setSpecialValueText("no limit");
+    const double least = point.optional ? 0.0 : point.least;  // 0: no limit
+    UnitBox* box = add_set_point(QString("autodriller ") + point.name, point.dimension, least, point.most, point.first);
+    if (point.optional) box->setSpecialValueText("no limit");
     boxes_.push_back(box);
     const int row = static_cast<int>(n);
     QString label = point.label;

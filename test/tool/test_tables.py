@@ -19,6 +19,26 @@ FLAGS_HEAD = '''# SPDX-License-Identifier: BSD-3-Clause
 src/rviz/console/flags.cpp."""
 FLAGS = {
 '''
+LAW_FILE = "src/python/web/law_points.py"
+LAW_HEAD = '''# SPDX-License-Identifier: BSD-3-Clause
+"""Set points of the package's laws, with the bounds of their boxes. Written by test/tool/test_tables.py from the table of
+src/rviz/console/law_points.h."""
+import typing
+
+
+class LawPoint(typing.NamedTuple):
+    name: str      # in ControllerStatus
+    order: str     # in an order to the autodriller
+    label: str
+    quantity: str  # of drill_rig_sim.units
+    least: float   # what an order may have [SI]
+    most: float
+    first: float   # in the box before the first start [SI]; 0: none
+    optional: bool  # no limit if it is left out
+
+
+LAW_POINTS = (
+'''
 drill_program = None
 
 
@@ -50,6 +70,12 @@ def flags():
     return FLAGS_HEAD + "".join(lines) + "}\n"
 
 
+def law_points():
+    """Of the driller's console, as src/python/web/law_points.py has them."""
+    table = re.findall(r'^ *\{("\w+"), ("\w+"), ("[^"]+"), Dimension::(\w+), ([\de., -]+), (true|false)\},$', read("src/rviz/console/law_points.h"), re.MULTILINE)
+    return LAW_HEAD + "".join('    LawPoint(%s, %s, %s, "%s", %s, %s),\n' % (*row[:5], row[5].capitalize()) for row in table) + ")\n"
+
+
 def rows(path, macro):
     return re.findall(r"^%s\((\w+)," % macro, read(path), re.MULTILINE)
 
@@ -64,6 +90,10 @@ class Tables(unittest.TestCase):
     def test_flags_of_the_page_are_those_of_the_console(self):
         self.assertEqual(flags(), read(FLAGS_FILE), "%s: write it by test/tool/test_tables.py DRILL --write" % FLAGS_FILE)
         self.assertEqual(14, flags().count('": ("'))
+
+    def test_law_points_are_those_of_the_console(self):
+        self.assertEqual(law_points(), read(LAW_FILE), "%s: write it by test/tool/test_tables.py DRILL --write" % LAW_FILE)
+        self.assertEqual(7, law_points().count("    LawPoint("))
 
     def test_constants_follow_the_lists(self):
         for path, header, macro in (("msg/TopDriveCommand.msg", "include/drill_rig_sim/rig/top_drive_mode_list.h", "MODE"),
@@ -102,5 +132,6 @@ if __name__ == "__main__":
         for name, file in FILES.items():
             write(file, printed(name))
         write(FLAGS_FILE, flags())
+        write(LAW_FILE, law_points())
     else:
         unittest.main()

@@ -6,6 +6,7 @@ from drill_rig_sim.units import SHOWN, SYSTEMS
 from drill_rig_sim.web import shapes
 from drill_rig_sim.web.broomstick import Broomstick
 from drill_rig_sim.web.fields import DEPTH_TRACKS, FIELDS, NUMBERS, TRACKS
+from drill_rig_sim.web.law_points import LAW_POINTS
 from drill_rig_sim.web.run_log import RunLog
 from drill_rig_sim.web.weights import weights_of
 
@@ -30,8 +31,7 @@ class Feed:
         fields = [{"name": f.name, "label": f.label, "quantity": f.quantity, "track": f.track, "scale": f.scale} for f in FIELDS]
         units = {quantity: [unit._asdict() for unit in shown] for quantity, shown in SHOWN.items()}
         return {"type": "hello", "fields": fields, "tracks": TRACKS, "numbers": NUMBERS, "depth_tracks": DEPTH_TRACKS, "units": units,
-            "systems": SYSTEMS,
-                "system": self.units, "control": self.control, "source": self.source.name, "live": self.source.live}
+                "law_points": [point._asdict() for point in LAW_POINTS], "systems": SYSTEMS, "system": self.units, "control": self.control, "source": self.source.name, "live": self.source.live}
 
     def whole(self):
         """For a page that has just been opened."""

@@ -8,15 +8,14 @@ from drill_rig_sim.autodriller import Autodriller
 from drill_rig_sim.law import RPM
 from drill_rig_sim.lockstep import Refused
 from drill_rig_sim.topics import Follower
+from drill_rig_sim.web.law_points import LAW_POINTS
 from drill_rig_sim.web.news import STATE_KIND
 from drill_rig_sim.web.node_source import BEHIND, stamp_of
 from drill_rig_sim.web.orders import number_of
 from std_srvs.srv import Trigger
 
-# what a page sets, in SI: its bounds, and whether it may be left out
-BOUNDS = {"weight": (1e3, 1e6, False), "rop": (1e-4, 0.1, False), "pressure": (1e4, 5e7, True), "torque": (10.0, 2e5, True),
-    "rpm": (0.0, 40.0, False),
-          "flow": (0.0, 1.0, False), "to_depth": (0.0, 2e4, False), "stiffness": (1e4, 1e9, True)}
+# what an order sets, in SI: its bounds, and whether it may be left out
+BOUNDS = {**{point.order: (point.least, point.most, point.optional) for point in LAW_POINTS}, "stiffness": (1e4, 1e9, True)}
 LOOPS = ("weight", "pressure", "torque")
 TORQUE_PER_DIAMETER = 0.1    # of a newton on the bit [m/m], as in launch/autodriller.launch
 STEEL = 2.06e11              # Young's modulus [Pa]

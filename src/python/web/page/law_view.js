@@ -5,15 +5,10 @@ import { inputBox } from "./input_box.js";
 import { send } from "./link.js";
 import { on, store } from "./store.js";
 
-// name in the order, label, quantity, and what the box holds at first (SI)
-const SET_POINTS = [["weight", "WOB", "force", 5e4], ["rop", "ROP, at most", "penetration", 0.01], ["pressure", "Diff. pressure", "pressure", null],
-  ["torque", "Torque over free", "torque", null], ["rpm", "Rotary speed", "rotation", 6.2832], ["flow", "Flow", "flow", 0.03], ["to_depth",
-    "To depth", "length", null]];
-const LEADS = { weight: "WOB", rop: "ROP", pressure: "differential pressure", torque: "torque" };
 
 export function buildLaw() {
-  const boxes = Object.fromEntries(SET_POINTS.map(([name, label, quantity]) => [name,
-    inputBox("law_" + name, label, quantity, () => applyLaw(boxes))]));
+  const boxes = Object.fromEntries(store.hello.law_points.map((point) => [point.order,
+    inputBox("law_" + point.order, labelOf(point), point.quantity, () => applyLaw(boxes))]));
   const start = make("button", { id: "start_law", class: "primary", text: "Start", onclick: () => applyLaw(boxes, "start_law") });
   const change = make("button", { id: "set_law", text: "Apply", onclick: () => applyLaw(boxes) });
   const stop = make("button", { id: "stop_law", text: "Stop", onclick: () => send({ type: "stop_law" }) }), status = make("p",
@@ -23,11 +18,18 @@ export function buildLaw() {
     make("div", { class: "row" }, start, change, stop), status);
 }
 
+function labelOf(point) {
+  const label = point.label[0].toUpperCase() + point.label.slice(1);
+  return point.quantity === "penetration" ? label + " at most" : label;
+}
+
 function showLaw(law, boxes, parts) {
-  for (const [name, , , first] of SET_POINTS) boxes[name].show(name in law.settings ? law.settings[name] : name === "to_depth" ? depthAhead() : law.settings.weight ? null : first);
+  for (const { order, first } of store.hello.law_points) {
+    boxes[order].show(order in law.settings ? law.settings[order] : order === "to_depth" ? depthAhead() : law.settings.weight ? null : first || null);
+  }
   parts.start.disabled = law.running;
   parts.change.disabled = parts.stop.disabled = !law.running;
-  const leads = law.leads ? `, ${LEADS[law.leads]} leads` : "", stalls = law.stalls ? `, ${law.stalls} stalls` : "";
+  const leads = law.leads ? `, ${store.hello.law_points.find((point) => point.name === law.leads).label} leads` : "", stalls = law.stalls ? `, ${law.stalls} stalls` : "";
   setText(parts.status, law.running ? law.phase + leads + stalls : law.problem || "stopped");
 }
 
