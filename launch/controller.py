@@ -76,7 +76,6 @@ def main():
         in_lockstep(law, rospy.get_param("~timeout", 3600.0))
     else:
         topics.follow(law)
-    time.sleep(0.3)  # rospy's threads send the last status
     given_up = getattr(law, "given_up", "")
     print("given up: " + given_up if given_up else "done" if law.done else "not done", flush=True)
     if given_up or not law.done:

@@ -1,7 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Topic controller/status: what a control law does and asks for, for displays, logs and other controllers."""
+import atexit
+import math
 import re
 import threading
+import time
 
 import rospy
 from drill_rig_sim.law import RPM
@@ -11,10 +14,12 @@ from geometry_msgs.msg import Point
 TOPIC = "controller/status"
 NO_LIMIT = 1e11       # a set point beyond is none
 PLAN_SPACING = 10.0   # between points of a plan [m]
+SENDING = 0.3         # that rospy's threads take to send a message [s]
 
 
 class Status:
     """Publishes the status of a law, latched, where it has changed. `law`: as drill_rig_sim.control says."""
+    ended_at = -math.inf  # when the last law of this process ended [s]
 
     def __init__(self, law):
         self.law, self.last, self.plan = law, None, plan_of(law)
@@ -32,6 +37,7 @@ class Status:
         with self.lock:
             self.ended = True
             self._publish(header)
+            Status.ended_at = time.monotonic()
 
     def _publish(self, header):
         message = status_of(self.law, not self.ended)
@@ -40,6 +46,12 @@ class Status:
             return
         self.last = message
         self.publisher.publish(ControllerStatus(header, *(getattr(message, name) for name in message.__slots__[1:])))
+
+
+@atexit.register
+def wait_until_sent():
+    """A process that ends at once after its law has not sent the last status yet. Runs before rospy closes its connections, as it was registered later."""
+    time.sleep(max(0.0, Status.ended_at + SENDING - time.monotonic()))
 
 
 def status_of(law, running):
