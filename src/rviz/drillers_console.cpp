@@ -220,6 +220,7 @@ void DrillersConsole::change_namespace(const QString& name)
   chart_->interrupt();
   limits_ = nullptr;
   truth_ = nullptr;
+  weights_ = {};
   show_state();
   Q_EMIT configChanged();
 }
@@ -283,11 +284,18 @@ void DrillersConsole::show_news()
   for (Controls* group : controls_)
     if (group->isVisible()) group->show_news(news);
   const std::vector<RigStateConstPtr> states = link_->take_states();
+  std::vector<StringWeight> weighed;
   for (const RigStateConstPtr& state : states)
-    chart_->record(state->header.stamp.toSec(), state->hole_depth, readings_of(news, *state, s.bit_diameter));
+  {
+    const Values values = readings_of(news, *state, s.bit_diameter);
+    chart_->record(state->header.stamp.toSec(), state->hole_depth, values);
+    if (const auto weight = weights_.take(move_reading_of(*state, values))) weighed.push_back(*weight);
+  }
   const std::vector<RigTruthConstPtr> truths = link_->take_truths();
   if (!truths.empty()) truth_ = truths.back();
   events_->take(states, truths);
+  for (const StringWeight& weight : weighed) events_->log(QString::fromStdString(text_of(weight, s.units)), Level::normal);
+  gauges_->show_marks(news, weights_, s.units);
   events_->show_state(stale ? nullptr : news.state.get(), stale ? nullptr : truth_.get(),
                       hears(state_) ? news.diagnosis : Diagnosis());
   tabs_->setTabText(tabs_->indexOf(events_),

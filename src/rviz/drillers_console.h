@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "console/link_state.h"
+#include "console/string_weights.h"
 #include "drill_rig_sim/RigTruth.h"
 #include "settings_page.h"
 
@@ -75,7 +76,8 @@ private:
   QLabel* answer_;
   console::LinkState state_ = console::LinkState::hidden;
   boost::shared_ptr<const RigTruth> truth_;  // the latest
-  const void* limits_ = nullptr;             // the last that were shown
+  console::StringWeights weights_;
+  const void* limits_ = nullptr;  // the last that were shown
   int ticks_ = 0;
 };
 

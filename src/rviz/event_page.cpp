@@ -188,10 +188,12 @@ void EventPage::show_state(const RigState* state, const RigTruth* truth, const D
   const std::string& reason = diagnosis.accuracy.empty() ? diagnosis.physics : diagnosis.accuracy;
   const QString accuracy =
       doubtful ? "Simulation accuracy: " + (reason.empty() ? QString("warning") : QString::fromStdString(reason)) : QString();
-  show_accuracy(doubtful ? accuracy : QString("Simulation accuracy: no warning"));
+  const bool is_known = state != nullptr;
+  show_accuracy(doubtful ? accuracy : QString(is_known ? "Simulation accuracy: no warning" : "Simulation accuracy: no readings"));
   const std::vector<Line> lines = lines_of(state, truth, diagnosis);
   acknowledge_->setEnabled(!alarms_.latched().empty());
-  QString all = accuracy;
+  const QString none = is_known ? "No warnings" : "No readings: warnings are not known";
+  QString all = none + accuracy;
   for (const Line& line : lines) all += "\n" + line.text;
   if (all == shown_) return;
   shown_ = all;
@@ -203,7 +205,7 @@ void EventPage::show_state(const RigState* state, const RigTruth* truth, const D
     item->setForeground(text_color(line.level));
     if (line.level != Level::normal) ++warnings_;
   }
-  gravest_ = warnings_ > 0 ? sign_of(lines.front().level) + lines.front().text : doubtful ? accuracy : QString("No warnings");
+  gravest_ = warnings_ > 0 ? sign_of(lines.front().level) + lines.front().text : doubtful ? accuracy : none;
   gravest_level_ = warnings_ > 0 ? lines.front().level : doubtful ? Level::caution : Level::normal;
 }
 

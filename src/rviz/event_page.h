@@ -35,7 +35,8 @@ public:
   void log(const QString& text, Level level);
   /// How many warnings there are now, unacknowledged alarms included.
   int warnings() const { return warnings_; }
-  /// The gravest; "No warnings" where there is none. Accuracy of the simulation comes after all others.
+  /// The gravest; "No warnings" where there is none, another text without readings. Accuracy of the simulation comes after all
+  /// others.
   const QString& gravest() const { return gravest_; }
   Level gravest_level() const { return gravest_level_; }
 

@@ -13,7 +13,7 @@ namespace drill_rig_sim::console
 {
 namespace
 {
-constexpr int margin = 6, least_width = 150, least_height = 36, truth_height = 12, bar_height = 5;
+constexpr int margin = 6, least_width = 150, least_height = 37, truth_height = 12, bar_height = 5, mark_height = 4;
 constexpr double over_pull = -2e3;  // surface weight on bit below which the string is pulled, as on the page of drill web [N]
 
 bool same(const Limits& a, const Limits& b)
@@ -130,13 +130,13 @@ void Gauge::set_error(double error)
   update();
 }
 
-void Gauge::set_mark(double value, const QString& meaning)
+void Gauge::set_marks(const std::vector<GaugeMark>& marks)
 {
-  const bool same_place = value == mark_ || (std::isnan(value) && std::isnan(mark_));
-  if (same_place) return;
-  mark_ = value;
-  setToolTip(QStringLiteral("%1: %2").arg(row_.label, row_.source) +
-             (std::isfinite(mark_) ? "; mark below the bar: " + meaning : QString()));
+  QString tip = QStringLiteral("%1: %2").arg(row_.label, row_.source);
+  for (const GaugeMark& mark : marks) tip += "\n" + mark.text;
+  if (tip == toolTip()) return;
+  marks_ = marks;
+  setToolTip(tip);
   update();
 }
 
@@ -166,13 +166,15 @@ void Gauge::paint_texts(QPainter& painter, const QRect& area)
   QString label = is_pulled() ? QString("Over-pull") : QString(row_.label);
   if (is_filled() && !stale_ && level_ != Level::normal) label.prepend(QString::fromUtf8(level_ == Level::alarm ? "▲ " : "△ "));
   int label_width = painter.fontMetrics().horizontalAdvance(label);
-  painter.drawText(line, Qt::AlignLeft | (margin_text_.isEmpty() ? Qt::AlignVCenter : Qt::AlignTop), label);
+  const QRect two_lines(area.left(), area.top() - 1, area.width(), area.height() - bar_height);
+  painter.drawText(margin_text_.isEmpty() ? line : two_lines,
+                   Qt::AlignLeft | (margin_text_.isEmpty() ? Qt::AlignVCenter : Qt::AlignTop), label);
   if (!margin_text_.isEmpty())
   {
     QFont fine = small;
     fine.setPixelSize(std::min(small.pixelSize(), 10));
     painter.setFont(fine);
-    painter.drawText(line, Qt::AlignLeft | Qt::AlignBottom, margin_text_);
+    painter.drawText(two_lines, Qt::AlignLeft | Qt::AlignBottom, margin_text_);
     label_width = std::max(label_width, painter.fontMetrics().horizontalAdvance(margin_text_));
     painter.setFont(small);
   }
@@ -224,16 +226,25 @@ void Gauge::paint_bar(QPainter& painter, const QRect& area)
   painter.fillRect(QRectF(std::min(zero, here), area.top(), std::max(std::abs(here - zero), 1.0), area.height()), color);
   painter.fillRect(QRectF(std::clamp(here - 1.0, double(area.left()), area.right() - 1.0), area.top() - 2, 3, area.height() + 4),
                    QColor(look::text));
-  if (std::isfinite(mark_))
-  {
-    const double at = place(mark_, area);
-    painter.setBrush(QColor(look::text));
-    painter.setPen(Qt::NoPen);
-    const QPointF mark[] = {{at, area.bottom() + 0.5}, {at - 4.0, area.bottom() + 5.0}, {at + 4.0, area.bottom() + 5.0}};
-    painter.drawPolygon(mark, 3);
-  }
+  for (const GaugeMark& mark : marks_) paint_mark(painter, area, mark);
   if (shows_truth_ && std::isfinite(truth_))
     painter.fillRect(QRectF(place(truth_, area) - 0.5, area.top() - 2, 1, area.height() + 4), QColor(look::accent));
+}
+
+void Gauge::paint_mark(QPainter& painter, const QRect& bar, const GaugeMark& mark)
+{
+  const double at = place(mark.value, bar), top = bar.bottom() + 1.5, bottom = top + mark_height;
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setBrush(QColor(look::text));
+  painter.setPen(Qt::NoPen);
+  if (mark.shape == MarkShape::line) painter.drawRect(QRectF(at - 1.0, top, 2.0, mark_height));
+  if (mark.shape == MarkShape::dot)
+    painter.drawEllipse(QPointF(at, top + 0.5 * mark_height), 0.5 * mark_height, 0.5 * mark_height);
+  const bool is_up = mark.shape == MarkShape::up;
+  const double tip = is_up ? top : bottom, base = is_up ? bottom : top;
+  if (is_up || mark.shape == MarkShape::down) painter.drawPolygon(QPolygonF({{at, tip}, {at - 3.5, base}, {at + 3.5, base}}));
+  painter.restore();
 }
 
 void Gauge::paintEvent(QPaintEvent*)
@@ -241,7 +252,7 @@ void Gauge::paintEvent(QPaintEvent*)
   QPainter painter(this);
   painter.fillRect(rect(), QColor(look::tile));
   if (level_ != Level::normal && is_filled() && !stale_) painter.fillRect(QRect(0, 0, 3, height()), color_of(level_));
-  const QRect area = rect().adjusted(margin, 2, -margin, -5);
+  const QRect area = rect().adjusted(margin, 2, -margin, -6);
   paint_texts(painter, area);
   const int below = shows_truth_ ? truth_height : 0;
   paint_bar(painter, QRect(area.left(), area.bottom() - below - bar_height + 1, area.width(), bar_height));

@@ -3,12 +3,29 @@
 #define DRILL_RIG_SIM_RVIZ_GAUGE_H
 
 #include <QWidget>
+#include <vector>
 
 #include "console/limits.h"
 #include "console/quantities.h"
 
 namespace drill_rig_sim::console
 {
+enum class MarkShape
+{
+  line,
+  up,
+  down,
+  dot
+};
+
+/// A mark below the bar of a gauge.
+struct GaugeMark
+{
+  MarkShape shape;
+  double value;  // [SI]
+  QString text;  // for the tool tip
+};
+
 /// One value: its number large with its measured error small behind it, a bar with zones of caution and alarm below it, and the
 /// truth as a faint line if asked for. A caution has the sign "△" before its name, an alarm "▲". A negative weight on bit is
 /// shown as over-pull, with the margin to yield if it is known. Its accessible name is "KIND KEY", its accessible description
@@ -32,8 +49,8 @@ public:
   void set_margin(double margin) { margin_ = margin; }
   /// The truth; NaN: unknown.
   void set_truth(double value);
-  /// A mark below the bar, with what it means; NaN: none.
-  void set_mark(double value, const QString& meaning);
+  /// Marks below the bar; their texts are lines of the tool tip.
+  void set_marks(const std::vector<GaugeMark>& marks);
   Level level() const { return level_; }
   bool is_filled() const;
   /// Forgets which values its scale has seen.
@@ -55,12 +72,13 @@ private:
   bool shows_error() const { return is_filled() && !error_text_.isEmpty(); }
   void paint_texts(QPainter& painter, const QRect& area);
   void paint_bar(QPainter& painter, const QRect& area);
+  void paint_mark(QPainter& painter, const QRect& bar, const GaugeMark& mark);
   double place(double value, const QRect& area) const;
 
   const QuantityRow& row_;
   UnitSystem system_ = UnitSystem::si;
-  double value_ = missing, error_ = missing, truth_ = missing, mark_ = missing, margin_ = missing, least_ = missing,
-         most_ = missing;
+  double value_ = missing, error_ = missing, truth_ = missing, margin_ = missing, least_ = missing, most_ = missing;
+  std::vector<GaugeMark> marks_;
   const char* why_ = "no reading";
   bool lost_ = false, stale_ = true, shows_truth_ = false;
   Limits limits_;

@@ -7,6 +7,7 @@
 
 #include "block_bar.h"
 #include "gauge.h"
+#include "look.h"
 #include "toolface_dial.h"
 
 namespace drill_rig_sim::console
@@ -14,7 +15,16 @@ namespace drill_rig_sim::console
 namespace
 {
 constexpr int column_width = 230;  // a gauge likes to have
-}
+
+struct WeightMark
+{
+  Motion motion;
+  MarkShape shape;
+  const char* sign;
+};
+constexpr WeightMark weight_marks[] = {
+    {Motion::pick_up, MarkShape::up, "▲"}, {Motion::slack_off, MarkShape::down, "▼"}, {Motion::rotating, MarkShape::dot, "●"}};
+}  // namespace
 
 GaugePage::GaugePage(QWidget* parent)
     : QWidget(parent), dial_(new ToolfaceDial(this)), block_(new BlockBar(this)), grid_(new QGridLayout(this))
@@ -82,12 +92,9 @@ void GaugePage::show_truth(bool on)
 void GaugePage::show_news(const News& news, const Values& readings, const Values& truth, const OwnAlarms& own, bool stale)
 {
   const RigAbilities rig = news.limits ? abilities_of(*news.limits) : RigAbilities();
-  const bool zeroed = news.state && news.state->tared != 0 && news.state->in_slips == 0;
-  const double free_weight = zeroed ? news.state->hook_load + news.state->surface_wob : missing;
   for (Gauge* gauge : all_)
   {
     const std::size_t n = index_of(gauge->quantity());
-    if (gauge->quantity() == Quantity::hook_load) gauge->set_mark(free_weight, "hook load when WOB was zeroed");
     gauge->set_truth(truth.value[n]);
     gauge->set_error(readings.error[n]);
     gauge->set_margin(news.diagnosis.pull_to_yield);
@@ -95,6 +102,22 @@ void GaugePage::show_news(const News& news, const Values& readings, const Values
   }
   show_block(news, rig, stale);
   show_toolface(news, truth, stale);
+}
+
+void GaugePage::show_marks(const News& news, const StringWeights& weights, UnitSystem system)
+{
+  std::vector<GaugeMark> marks;
+  const auto text = [system](double si, Dimension dimension) { return shown_text(si, dimension, system); };
+  if (news.state && news.state->tared != 0 && news.state->in_slips == 0)
+  {
+    const double load = news.state->hook_load + news.state->surface_wob;
+    marks.push_back({MarkShape::line, load, "| " + text(load, Dimension::force) + " when WOB was zeroed"});
+  }
+  for (const auto& [motion, shape, sign] : weight_marks)
+    if (const auto weight = news.state ? weights.near(motion, news.state->bit_depth) : std::nullopt)
+      marks.push_back({shape, weight->load, QString(sign) + " " + QString::fromStdString(text_of(*weight, system))});
+  for (Gauge* gauge : all_)
+    if (gauge->quantity() == Quantity::hook_load) gauge->set_marks(marks);
 }
 
 void GaugePage::show_block(const News& news, const RigAbilities& rig, bool stale)

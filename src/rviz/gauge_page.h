@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "console/limits.h"
+#include "console/string_weights.h"
 #include "message_values.h"
 
 class QGridLayout;
@@ -28,6 +29,8 @@ public:
 
   void set_units(UnitSystem system);
   void show_truth(bool on);
+  /// Marks of the hook load: what it was when WOB was zeroed, and the weights of the string.
+  void show_marks(const News& news, const StringWeights& weights, UnitSystem system);
   void show_news(const News& news, const Values& readings, const Values& truth, const OwnAlarms& own, bool stale);
 
 protected:

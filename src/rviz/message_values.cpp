@@ -154,6 +154,20 @@ Flags flags_of(const RigState& state, const RigTruth* truth)
   return flags;
 }
 
+MoveReading move_reading_of(const RigState& state, const Values& readings)
+{
+  const bool lost = readings.lost[index_of(Quantity::hook_load)];
+  return {state.header.stamp.toSec(),
+          lost ? missing : state.hook_load,
+          state.block_height,
+          state.block_velocity,
+          state.top_drive_speed,
+          state.bit_depth,
+          state.hole_depth,
+          state.in_slips != 0,
+          static_cast<int>(state.epoch)};
+}
+
 bool drills(const RigState& state)
 {
   return state.in_slips == 0 && state.bit_depth > state.hole_depth - near_bottom && state.rop > least_rop;

@@ -19,6 +19,7 @@
 #include "console/limits.h"
 #include "console/link_state.h"
 #include "console/quantities.h"
+#include "console/string_weights.h"
 #include "drill_rig_sim/RigTruth.h"
 
 namespace drill_rig_sim::console
@@ -57,6 +58,8 @@ Values truth_of(const News& news, double bit_diameter);
 RigAbilities abilities_of(const RigLimits& limits);
 /// `truth`: for what no rig can sense; null: those flags are down.
 Flags flags_of(const RigState& state, const RigTruth* truth);
+/// What tells a move of the string; its hook load is missing in a drop-out.
+MoveReading move_reading_of(const RigState& state, const Values& readings);
 /// Whether the bit drills by the readings: near bottom, in no slips, with a rate of penetration.
 bool drills(const RigState& state);
 RunState run_state_of(const RigState& state);

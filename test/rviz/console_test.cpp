@@ -10,6 +10,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <pluginlib/class_loader.hpp>
+#include <tuple>
 
 #include "drill_rig_sim/SetSpeed.h"
 
@@ -61,6 +62,11 @@ RigProcess& shared_rig()
 {
   if (!the_rig || !the_rig->runs()) the_rig = std::make_unique<RigProcess>(shared_name);
   return *the_rig;
+}
+
+void end_shared_rig()
+{
+  the_rig.reset();
 }
 
 void set_speed(const std::string& rig, double factor)
@@ -206,6 +212,36 @@ void Console::forget_answer()
   }
   wait_for(0.3);  // until what was sent has come everywhere
   return ::testing::AssertionSuccess();
+}
+
+void Console::look(const QString& name)
+{
+  const QSize size = window_->size();
+  QWidget* const page = tabs()->currentWidget();
+  const QString chosen = get<QComboBox>("settings units")->currentText();
+  for (const char* const units : {"oilfield", "SI"})
+  {
+    choose("settings units", units);
+    for (const auto& [screen, width, height] : {std::tuple("1280x800", 420, 690), std::tuple("1920x1080", 900, 970)})
+    {
+      open_page_of("event log");
+      for (int n = 0; n < 2; ++n)  // the first is as narrow as gauges and pages side by side can be
+      {
+        window_->resize(width, height);
+        wait_for(0.2);
+      }
+      const QString file = QStringLiteral("%1/console_%2_%3_%4").arg(out_folder(), name, screen, units);
+      window_->grab().save(file + ".png");
+      if (width > 500) continue;  // the gauges are beside the events
+      open_page(0);
+      wait_for(0.4);
+      window_->grab().save(file + "_gauges.png");
+    }
+  }
+  choose("settings units", chosen);
+  window_->resize(size);
+  tabs()->setCurrentWidget(page);
+  wait_for(0.3);
 }
 
 rviz::Config Console::config() const

@@ -37,6 +37,8 @@ private:
 
 /// The rig that most tests share; begun when it is first asked for.
 RigProcess& shared_rig();
+/// Ends it, so that a rig of a picture is the only node that publishes /clock.
+void end_shared_rig();
 constexpr const char* shared_name = "console_rig";
 
 /// Simulated seconds per second of the wall, for what takes long.
@@ -87,6 +89,9 @@ public:
   ::testing::AssertionResult is_heard();
   /// Clicks a button that calls a service, and waits for the answer.
   ::testing::AssertionResult asks(const QString& button, const QString& beginning);
+  /// Pictures to look at, console_NAME_SCREEN_UNITS.png: as a dock of a small and a large screen, in both systems of units, the
+  /// gauges and the events. Ends with the page, size and units of before.
+  void look(const QString& name);
   /// The panel's config, as rviz would keep it.
   rviz::Config config() const;
   void forget_answer();

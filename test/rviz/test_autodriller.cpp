@@ -16,6 +16,7 @@ using drill_rig_sim::RigState;
 // who takes it, and stops.
 TEST(Autodriller, StartsFollowsAndStops)
 {
+  end_shared_rig();
   const RigProcess rig("driller");
   Console console("driller");
   ASSERT_TRUE(console.is_in_state("RUNNING"));
@@ -42,6 +43,7 @@ TEST(Autodriller, StartsFollowsAndStops)
   ASSERT_TRUE(wait_until([&] { return shows("drilling, ROP leads"); }, 2.0 * patience))
       << console.shows("autodriller status").toStdString();
   console.window().grab().save(out_folder() + "/console_1280x800_autodriller.png");
+  console.look("drilling");
   ASSERT_FALSE(laws.all().empty());
   const ControllerStatus& status = *laws.all().back();
   EXPECT_EQ("autodriller", status.law);

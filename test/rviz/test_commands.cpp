@@ -251,6 +251,7 @@ TEST_F(Commands, SlipsAndConnection)
 TEST(Connection, AStandByHand)
 {
   const QString scene = QString::fromStdString(ros::package::getPath("drill_rig_sim")) + "/test/scenes/console_connection.yaml";
+  end_shared_rig();
   const RigProcess rig("connected", {"_scene:=" + scene});
   Console console("connected");
   Listener<RigState> states("rig_state", "connected");
@@ -281,6 +282,9 @@ TEST(Connection, AStandByHand)
   ASSERT_TRUE(console.asks("connection add", "make_connection: adding one stand; current_operation shows when it is finished"))
       << console.get<QLabel>("answer")->text().toStdString();
   EXPECT_TRUE(wait_until([&] { return last().current_operation == "connecting"; }));
+  set_speed("connected", 0.2);  // longer than the pictures take
+  console.look("connection");
+  set_speed("connected", 3.0);
   ASSERT_TRUE(shows_pipe(QStringLiteral("in slips, %1 stands").arg(stands + 1)));
   ASSERT_TRUE(wait_until([&] { return last().current_operation.empty(); }));
   const double stand = 28.5 * 31.9 * gravity;

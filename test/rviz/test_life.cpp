@@ -64,6 +64,8 @@ TEST(Life, TheNodeIsKilledAndComesBack)
   EXPECT_TRUE(console.is_in_state("LATE"));
   EXPECT_TRUE(wait_until([&] { return console.shows("gauge hook_load").contains("stale"); }));
   EXPECT_TRUE(console.is_in_state("ABSENT"));
+  EXPECT_EQ("No readings: warnings are not known", console.shows("gravest warning"));
+  console.look("killed");
   EXPECT_TRUE(console.asks("mud pump apply", "mud pump: not sent"));
   rig = std::make_unique<RigProcess>("mortal");
   EXPECT_TRUE(console.is_in_state("RUNNING"));

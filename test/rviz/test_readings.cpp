@@ -65,6 +65,7 @@ protected:
 
 TEST_F(Readings, EveryGaugeIsFilledWhileTheRigDrills)
 {
+  end_shared_rig();
   const RigProcess rig("drilled");  // that nobody has had before
   Console console("drilled", 900, 970);
   ASSERT_TRUE(console.is_in_state("RUNNING"));

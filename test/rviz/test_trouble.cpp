@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A stuck pipe that is pulled: over-pull with its margin to yield, and the fault by its depth.
+// Trouble: a stuck pipe that is pulled, with its margin to yield and the fault by its depth; a motor that stalls.
+#include <ros/package.h>
+
 #include <QListWidget>
 
 #include "console_test.h"
@@ -8,6 +10,7 @@ using namespace console_test;
 
 TEST(Pull, IsNotShownAsAWeight)
 {
+  end_shared_rig();
   const RigProcess rig("pulled");
   Console console("pulled");
   ASSERT_TRUE(console.is_in_state("RUNNING"));
@@ -32,6 +35,28 @@ TEST(Pull, IsNotShownAsAWeight)
   auto* warnings = console.get<QListWidget>("warnings now");
   EXPECT_TRUE(wait_until([&] { return !warnings->findItems("fault: stuck pipe at 1", Qt::MatchContains).isEmpty(); }))
       << "by its depth";
-  console.window().grab().save(out_folder() + "/console_over_pull.png");
   QTest::mouseRelease(console.get("winch raise"), Qt::LeftButton);
+  console.look("over_pull");
+}
+
+TEST(Stall, IsAnAlarmUntilItIsAcknowledged)
+{
+  end_shared_rig();
+  const QString scene = QString::fromStdString(ros::package::getPath("drill_rig_sim")) + "/test/scenes/faults.yaml";
+  const RigProcess rig("stalled", {"_scene:=" + scene});
+  Console console("stalled");
+  ASSERT_TRUE(console.is_in_state("RUNNING"));
+  ASSERT_TRUE(console.is_heard());
+  console.type("mud pump flow", "1200");
+  console.choose("fault kind", "motor stall");
+  ASSERT_TRUE(console.asks("fault begin", "inject_fault: "));
+  auto* warnings = console.get<QListWidget>("warnings now");
+  const auto shows = [&](const QString& text) { return !warnings->findItems(text, Qt::MatchContains).isEmpty(); };
+  EXPECT_TRUE(wait_until([&] { return shows("▲ mud motor stalled"); }));
+  EXPECT_EQ("▲ mud motor stalled", console.shows("gravest warning"));
+  console.look("stall");
+  ASSERT_TRUE(console.asks("fault end", "inject_fault: "));
+  EXPECT_TRUE(wait_until([&] { return shows("mud motor stalled (over: "); })) << "it stays until it is acknowledged";
+  console.click("alarms acknowledge");
+  EXPECT_TRUE(wait_until([&] { return !shows("mud motor stalled"); }));
 }
