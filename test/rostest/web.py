@@ -12,6 +12,7 @@ from browser import PROGRAMS, Bridge, Page, chrome, hung, paper, picture, render
 from drill_rig_sim.msg import RigState
 from rig_test import PACKAGE_DIR, Rig, needs, rospy, run, time, unittest, wait_until
 from rosgraph import Master
+from situations import Situations, look
 from xmlrpc.client import ServerProxy
 
 KEPT = 1000             # messages of rig_state
@@ -30,7 +31,7 @@ def seconds_of(clock):
     return 3600 * int(hours) + 60 * int(minutes) + int(seconds)
 
 
-class Web(unittest.TestCase):
+class Web(Situations, unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         if not os.environ.get("DRILL_RIG_SIM_BROWSER"):
@@ -85,7 +86,7 @@ class Web(unittest.TestCase):
         self.page.click("#tab_well")
         wait_until(lambda: self.page.coloured("#well canvas") > 500, "the well")
         self.page.click("#tab_string")
-        self.page.wait_text("#string_summary", "truth along the string")
+        self.page.wait_text("#string_summary", "simulated values along the string")
         self.page.click("#tab_broomstick")
         self.page.click("#work_out")
         self.page.wait_text("#broomstick_status", "Thick: friction of the scene")
@@ -167,11 +168,12 @@ class Web(unittest.TestCase):
         wait_until(lambda: abs(self.state().mud_pump.flow - 0.03) < 1e-4, "the law's flow")
         self.page.wait_text("#law_status", "drilling, .* leads", 600.0)
         self.page.click("#tab_time_log")
-        picture(self.browser, "web_drilling")
+        look(self.page, "drilling")
         self.page.fill("#set_law_rpm", "70")
         self.page.click("#set_law")
         wait_until(lambda: abs(self.state().top_drive.speed - 7.33) < 0.01, "the law follows")
         self.pictures()
+        self.look_at_a_stall()
         self.page.click("#stop_law")
         self.page.wait_text("#law_status", "stopped")
         wait_until(lambda: self.state().brake_set, "the brake")

@@ -18,7 +18,7 @@ class Law(unittest.TestCase):
         with self.assertRaisesRegex(Refused, "^needed: rop, flow$"):
             settings_of({**whole, "rop": None, "flow": None})
         box = LawBox(None)
-        with self.assertRaisesRegex(Refused, "does not run"):
+        with self.assertRaisesRegex(Refused, "is not running"):
             box.set(whole)
         self.assertFalse(box.status()["running"])
 

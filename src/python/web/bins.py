@@ -55,6 +55,16 @@ class Bins:
             self.sum, self.count = numpy.add.reduceat(self.sum, pairs, axis=0), numpy.add.reduceat(self.count, pairs, axis=0)
         self.first, self.width, self.is_new = self.first // 2, 2.0 * self.width, True
 
+    def times(self):
+        """The middle of each step."""
+        return (self.first + 0.5 + numpy.arange(len(self.low))) * self.width
+
+    def forget(self, key):
+        """All steps before a key; for a log that no page is sent."""
+        rows = min(max(int(key // self.width) - self.first, 0), len(self.low))
+        self.low, self.high, self.sum, self.count = (table[rows:] for table in (self.low, self.high, self.sum, self.count))
+        self.first += rows
+
     def mean(self):
         with numpy.errstate(invalid="ignore", divide="ignore"):
             return self.sum / self.count

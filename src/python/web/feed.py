@@ -8,7 +8,6 @@ from drill_rig_sim.web.broomstick import Broomstick
 from drill_rig_sim.web.fields import DEPTH_TRACKS, FIELDS, NUMBERS, TRACKS
 from drill_rig_sim.web.law_points import LAW_POINTS
 from drill_rig_sim.web.run_log import RunLog
-from drill_rig_sim.web.weights import weights_of
 
 SLOW = 1.0          # between sheets, strings and wells [wall s]
 RARE = 10.0         # between looks for weights [wall s]
@@ -49,7 +48,7 @@ class Feed:
         if news.rows is not None:
             self.log.take_rows(news.rows)
         if self.log.run != run:
-            self.marks = []
+            self.marks, self.weights_at = [], 0.0
         return [*changed, *self.logs(), *self._alarms_if_changed(), *self._slowly(), *self._broomstick_if_changed(), self.state(news.last)]
 
     def logs(self, whole=False):
@@ -85,7 +84,7 @@ class Feed:
         if now < self.weights_at:
             return []
         self.weights_at = now + RARE
-        self.described["weights"] = {"type": "weights", "points": weights_of(self.log.time)}
+        self.described["weights"] = {"type": "weights", "points": self.log.weights.find()}
         return [self.described["weights"]]
 
     def _broomstick_if_changed(self):
@@ -134,6 +133,10 @@ class Feed:
         self.parts, self.plan = shapes.parts_of(message), shapes.path_of(message.plan)
         self.log.bit_diameter = next((part["diameter"] for part in self.parts[:1]), None)
         return [{"type": "parts", "parts": self.parts}, *self._well()]
+
+    @staticmethod
+    def _margin(pull_to_yield):
+        return [{"type": "margin", "pull_to_yield": pull_to_yield}]
 
     def _scene(self, message):
         self.scene_text, self.scene = message.data, shapes.parts_of_scene(message.data)

@@ -40,7 +40,7 @@ class LawBox:
     def start(self, order):
         """By the numbers of BOUNDS. Refused where one runs already or a number is wrong."""
         if self.running:
-            raise Refused("the autodriller runs already")
+            raise Refused("the autodriller is already running")
         depth = self.source.last.bit_depth if self.source.last is not None else 0.0
         self.settings = {"stiffness": stiffness_of(self.parts(), depth), **settings_of(order)}
         self.follower, self.problem, self.data = Follower(law_of(self.settings, self.scene())), "", None
@@ -50,7 +50,7 @@ class LawBox:
     def set(self, order):
         """Other set points while it runs."""
         if not self.running:
-            raise Refused("the autodriller does not run")
+            raise Refused("the autodriller is not running")
         self.settings = settings_of({**self.settings, **order})
         law = self.follower.law
         for name in LOOPS:
@@ -96,7 +96,7 @@ class LawBox:
             return {"running": False, "phase": "", "leads": "", "problem": self.problem, "settings": self.settings}
         law = follower.law
         if law.done:
-            self.problem = "the autodriller is done: the weight is drilled off"
+            self.problem = "the autodriller has finished: the weight is drilled off"
             self.stop()
         return {"running": not law.done, "phase": law.phase.replace("_", " "), "leads": law.winner, "stalls": law.stalls, "problem": self.problem,
                 "settings": self.settings}

@@ -9,7 +9,7 @@ from std_msgs.msg import String
 
 class News(typing.NamedTuple):
     """`states`, `truth`: messages of rig_state and truth/rig_state as bytes, none left out. `last`: the latest STATE_KIND, or None. `latest`: the
-    latest message by what it is: limits, description, scene, trajectory, string; or a path: drilled, planned. `rows`: states that are no messages, as
+    latest message by what it is: limits, description, scene, trajectory, string, margin (pull to yield [N]); or a path: drilled, planned. `rows`: states that are no messages, as
     Packed.rows() gives them."""
     states: list
     truth: list

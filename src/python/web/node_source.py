@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A live node as a source: its topics by rospy, taken as bytes. A node or a ROS master that ends and comes back is joined again."""
 import collections
+import math
 import struct
 import threading
 import time
 
 import rosgraph
 import rospy
+from diagnostic_msgs.msg import DiagnosticArray
 from drill_rig_sim.web.news import STATE, STATE_KIND, TOPICS, TRUTH, TRUTH_KIND, News
 
 EVERY = {"trajectory": 1.0, "drillstring_state": 0.5}  # these may come often: read so often at most [wall s]
@@ -25,6 +27,7 @@ class NodeSource:
     def __init__(self, name, node="drill_web"):
         self.name, self.node, self.on_state, self.on_join = name, node, None, None
         self._lock, self._states, self._truth, self._raw, self._read_at = threading.Lock(), [], [], {}, {}
+        self._margin = None  # pull to yield that the feed has not taken yet [N]
         self._master, self._subscribers, self._came, self._joined = None, [], None, False
         self._seen = collections.deque(maxlen=600)  # wall time and stamp of each drillstring_state: a topic so slow that nothing waits in it
         self.newest = 0.0                           # stamp of the latest rig_state that was read [s]
@@ -55,7 +58,8 @@ class NodeSource:
         for subscriber in self._subscribers:
             subscriber.unregister()
         self._subscribers = [self._subscribe(STATE, self._take_state), self._subscribe(TRUTH, self._take_truth),
-                             *(self._subscribe(topic, self._take, topic) for topic in TOPICS)]
+                             *(self._subscribe(topic, self._take, topic) for topic in TOPICS),
+                             rospy.Subscriber("/diagnostics", DiagnosticArray, self._take_diagnostics, queue_size=10)]
         if self.on_join is not None:
             self.on_join()
 
@@ -92,6 +96,12 @@ class NodeSource:
                     self._seen.append((time.monotonic(), stamp_of(message._buff)))  # pylint: disable=protected-access
                 self._raw[topic] = message._buff  # pylint: disable=protected-access
 
+    def _take_diagnostics(self, message):
+        margin = margin_of(message, rospy.get_namespace())
+        if margin is not None:
+            with self._lock:
+                self._margin = margin
+
     def lag(self):
         """How late rig_state is read [wall s]: since when a later stamp has been seen on a slower topic. Bytes that wait in a socket do not tell."""
         now = time.monotonic()
@@ -106,11 +116,13 @@ class NodeSource:
         with self._lock:
             states, self._states, truth, self._truth = self._states, [], self._truth, []
             due = [topic for topic in self._raw if now >= self._read_at.get(topic, 0.0)]
+            margin, self._margin = self._margin, None
             raw = {topic: self._raw.pop(topic) for topic in sorted(due, key=list(TOPICS).index)}
         self._read_at.update({topic: now + EVERY.get(topic, 0.0) for topic in raw})
         last = STATE_KIND().deserialize(states[-1]) if states else None
         self.last = last or self.last
-        return News(states, truth, last, {TOPICS[topic][0]: TOPICS[topic][1]().deserialize(data) for topic, data in raw.items()})
+        latest = {TOPICS[topic][0]: TOPICS[topic][1]().deserialize(data) for topic, data in raw.items()}
+        return News(states, truth, last, {**latest, **({} if margin is None else {"margin": margin})})
 
     def _is_connected(self):
         """Whether a node is there: a paused one is silent too."""
@@ -127,7 +139,7 @@ class NodeSource:
             self._lost = True
         lag = self.lag()
         if not why and lag > BEHIND:
-            why = "bridge is %.0f s behind" % lag
+            why = "readings are %.0f s late" % lag
         is_new = silent is not None and silent < SILENT and not self._lost
         return {"silent": silent, "heard": is_new and lag <= BEHIND, "why": why or ("waiting for the node's first data" if self._lost else "")}
 
@@ -135,6 +147,16 @@ class NodeSource:
 def is_of(message, kind):
     """Whether an AnyMsg is of this version of a type."""
     return message._connection_header["md5sum"] == kind._md5sum  # pylint: disable=protected-access
+
+
+def margin_of(message, namespace):
+    """`pull_to_yield` [N] of the node in this namespace ("/rig/"), of a DiagnosticArray; None where the message has none."""
+    for status in message.status:
+        if status.name.endswith(": physics") and ("/" + status.hardware_id).rpartition("/")[0] + "/" == namespace:
+            for one in status.values:
+                if one.key == "pull_to_yield" and math.isfinite(float(one.value)):
+                    return float(one.value)
+    return None
 
 
 def stamp_of(data):

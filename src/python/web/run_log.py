@@ -9,6 +9,7 @@ from drill_rig_sim.web.bins import Bins
 from drill_rig_sim.web.fields import ACCURACY, DEPTH_TRACKS, NAMES, SEEN, SENSED, UNSENSED, columns_of
 from drill_rig_sim.web.news import STATE_KIND, TRUTH_KIND
 from drill_rig_sim.web.packed import Packed
+from drill_rig_sim.web.weights import Weights
 
 TIME_STEP, DEPTH_STEP = 0.25, 0.1   # of the logs at first [s], [m]
 DRILLS = 5e-5                       # rate of penetration from which on MSE means something [m/s]
@@ -26,7 +27,7 @@ class RunLog:
     def begin(self):
         self.run += 1
         self.time, self.depth = Bins(NAMES, TIME_STEP), Bins([name for name, _ in DEPTH_TRACKS], DEPTH_STEP)
-        self.alarms, self.activity = Alarms(), Activity()
+        self.alarms, self.activity, self.weights = Alarms(), Activity(), Weights()
         self.last, self.flags, self.truth_flags = None, [], []
         self.idle_at = -math.inf  # when nothing was drilled last [s]
         self.extremes = None  # of each signal since take_state() was asked for last: least, largest
@@ -46,6 +47,7 @@ class RunLog:
     def _take_part(self, rows):
         columns = columns_of(rows)
         self.time.add(rows["stamp"], columns)
+        self.weights.add(rows["stamp"], columns)
         self._take_depths(rows, columns)
         self.alarms.take(rows["stamp"], rows, SENSED)
         self.activity.take(rows)

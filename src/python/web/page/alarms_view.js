@@ -23,9 +23,9 @@ function showAlarms() {
 }
 
 function alarmLine(one) {
-  const until = one.to === null ? "lasts" : "to " + clockText(one.to), line = make("div", { class: "alarm " + one.rank, "data-flag": one.flag },
+  const when = one.to === null ? `since ${clockText(one.from)}` : `from ${clockText(one.from)} to ${clockText(one.to)}`, line = make("div", { class: "alarm " + one.rank, "data-flag": one.flag },
     make("span", { text: one.rank === "red" ? "▲" : "△" }), make("span", { text: one.text }), make("span",
-      { text: `from ${clockText(one.from)} ${until}${one.times > 1 ? `, ${one.times} times` : ""}` }));
+      { text: `${when}${one.times > 1 ? `, ${one.times} times` : ""}` }));
   if (!one.acknowledged) line.append(make("button", { class: "acknowledge", text: "Acknowledge",
     onclick: () => send({ type: "acknowledge", number: one.number }) }));
   return line;

@@ -6,18 +6,18 @@ import { send } from "./link.js";
 import { store } from "./store.js";
 import { shownValue, unitOf } from "./units.js";
 
-const MOTIONS = [["up", "pick-up", 2, "triangle"], ["rotate", "rotating", 3, "circle"], ["down", "slack-off", 1, "rectRot"]];
+const MOTIONS = [["up", 2, "triangle", 0], ["rotate", 3, "circle", 0], ["down", 1, "triangle", 180]];  // motion, style, sign and its rotation
 let chart = null;
 
 export function buildBroomstick() {
   if (chart) dropChart(chart);
   const canvas = make("canvas", { "aria-label": "broomstick chart" });
   byId("broomstick").replaceChildren(
-    make("div", { class: "row" }, make("button", { id: "work_out", class: "primary", text: "Work out", onclick: () => send({ type: "broomstick" }) }),
+    make("div", { class: "row" }, make("button", { id: "work_out", class: "primary", text: "Compute", onclick: () => send({ type: "broomstick" }) }),
       make("span", { id: "broomstick_status", class: "faint" })),
     make("div", { class: "canvas" }, canvas));
   chart = makeChart(canvas, {
-    x: axisOf({ title: `hook load, as the gauge shows it [${unitOf("force").name}]` }),
+    x: axisOf({ title: `hook load of the gauge [${unitOf("force").name}]` }),
     y: axisOf({ reverse: true, title: `bit depth [${unitOf("length").name}]`, min: 0 }),
   }, []);
 }
@@ -25,8 +25,8 @@ export function buildBroomstick() {
 export function drawBroomstick() {
   if (!chart) return;
   const theory = store.broomstick || { points: [] }, measured = store.weights ? store.weights.points : [];
-  chart.data.datasets = [...curves(theory.points), ...MOTIONS.map(([motion, , style, pointStyle]) => curveOf("x", style, {
-    showLine: false, pointRadius: 6, pointStyle, borderWidth: 2, data: measured.filter((one) => one.motion === motion).map(pointOf),
+  chart.data.datasets = [...curves(theory.points), ...MOTIONS.map(([motion, style, pointStyle, rotation]) => curveOf("x", style, {
+    showLine: false, pointRadius: 6, pointStyle, rotation, borderWidth: 2, data: measured.filter((one) => one.motion === motion).map(pointOf),
   }))];
   chart.update("none");
   setText(byId("broomstick_status"), statusText(theory, measured));
@@ -41,16 +41,16 @@ function pointOf(one) {
 /// One for each motion and friction; the scene's own friction thick.
 function curves(points) {
   const factors = [...new Set(points.map((one) => one.factor))];
-  return MOTIONS.flatMap(([motion, , style]) => factors.map((factor) => curveOf("x", style, {
+  return MOTIONS.flatMap(([motion, style]) => factors.map((factor) => curveOf("x", style, {
     borderWidth: factor === 1 ? 2.5 : 1, borderDash: factor < 1 ? [2, 3] : factor > 1 ? [7, 3] : [],
     data: points.filter((one) => one.motion === motion && one.factor === factor).sort((a, b) => a.depth - b.depth).map(pointOf),
   })));
 }
 
 function statusText(theory, measured) {
-  const keys = "Colours: orange pick-up, green rotating, blue slack-off. Thick: friction of the scene; dotted half, dashed one and a half of it.";
+  const keys = "Orange: pick-up. Green: rotating. Blue: slack-off. Thick: friction of the scene. Dotted: 0.5 times. Dashed: 1.5 times.";
   const failed = theory.points.filter((one) => one.load === null).length;
-  const state = theory.problem || (theory.running ? `${theory.points.length} of ${theory.count} points` : theory.points.length ? "" : "Not worked out yet.");
-  return [state, failed ? `${failed} points have no equilibrium.` : "", `${measured.length} weights of the run (▲ ● ◆).`,
+  const state = theory.problem || (theory.running ? `${theory.points.length} of ${theory.count} points` : theory.points.length ? "" : "Not computed yet.");
+  return [state, failed ? `${failed} points have no equilibrium.` : "", `${measured.length} measured weights (▲ ● ▼).`,
     theory.points.length ? keys : ""].join(" ");
 }

@@ -31,13 +31,13 @@ export function linkChanged(open) {
   isOpen = open;
   cameAt = Date.now();
   if (open) return;  // the first state from the bridge shows how things are
-  setPill("bridge lost", "bad");
+  setPill("no connection to drill web", "bad");
   document.body.classList.add("stale");
 }
 
 function watchBridge() {
   if (!isOpen || !store.hello || !store.hello.live || Date.now() - cameAt < HUNG) return;
-  setPill("bridge silent", "bad");
+  setPill("drill web does not answer", "bad");
   document.body.classList.add("stale");
 }
 
@@ -60,8 +60,8 @@ function showHeader(state) {
   showPill(state);
   setText(byId("clock"), state.t === undefined ? "" : clockText(state.t) + (state.speed === null || !store.hello.live ? "" : `  at ${state.speed.toFixed(1)}×`));
   setText(byId("operation"), state.operation ? `${state.operation} ${(100 * state.progress).toFixed(0)} %` : "");
-  setText(byId("accuracy"), state.flags && state.flags.includes("accuracy_warning") ? "△ accuracy of the simulation is limited now" : "");
-  setText(byId("foot"), store.hello.live ? `${store.hello.control ? "with control" : "read-only"}; bridge ${state.cpu === null ? "–" : (100 * state.cpu).toFixed(0)} % of a core` : "a recorded run, its last values");
+  setText(byId("accuracy"), state.flags && state.flags.includes("accuracy_warning") ? "△ simulation accuracy warning" : "");
+  setText(byId("foot"), store.hello.live ? `${store.hello.control ? "with control" : "read-only"}; drill web uses ${state.cpu === null ? "–" : (100 * state.cpu).toFixed(0)} % of a core` : "recorded run: last values");
 }
 
 function showPill(state) {

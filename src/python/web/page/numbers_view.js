@@ -2,11 +2,13 @@
 // Eight large numbers with their limits, set points and extremes of the last seconds.
 import { byId, make, setText } from "./dom.js";
 import { fieldOf, on, store } from "./store.js";
-import { bigText, shownText, unitOf } from "./units.js";
+import { bigText, shownText, shownValue, unitOf } from "./units.js";
 
 const NEAR = 0.9;        // share of a limit from which on a number is marked
 const RECENT = 10;       // over which extremes are shown [s]
 const OVER_PULL = -2e3;  // surface WOB below which the string is pulled [N]
+const NEAR_DEPTH = 100;  // from the bit to where a weight was measured [m]
+const WEIGHTS = [["up", "▲", "pick-up"], ["rotate", "●", "rotating"], ["down", "▼", "slack-off"]];
 const cards = {};
 let recent = [];
 
@@ -19,11 +21,11 @@ export function buildNumbers() {
 function build() {
   byId("numbers").replaceChildren(...store.hello.numbers.map(([name]) => {
     const parts = { label: make("span"), mark: make("span"), value: make("span", { class: "figure" }), unit: make("span", { class: "unit" }),
-      bar: make("i"), set: make("b", { hidden: true }),
-      left: make("span"), right: make("span") };
+      bar: make("i"), set: make("b", { hidden: true }), marks: make("span"), left: make("span"), right: make("span"),
+      weights: make("div", { class: "below", hidden: true }) };
     parts.card = make("div", { class: "number", id: "number_" + name }, make("div", { class: "label" }, parts.label, parts.mark),
-      make("div", { class: "value" }, parts.value, parts.unit), make("div", { class: "bar" }, parts.bar, parts.set), make("div",
-        { class: "below" }, parts.left, parts.right));
+      make("div", { class: "value" }, parts.value, parts.unit), make("div", { class: "bar" }, parts.bar, parts.set, parts.marks),
+      make("div", { class: "below" }, parts.left, parts.right), parts.weights);
     cards[name] = parts;
     return parts.card;
   }));
@@ -35,6 +37,7 @@ function show(state) {
   if (!state.values) return;
   remember(state);
   for (const [name, second, label] of store.hello.numbers) showCard(name, second, label, state);
+  showWeights(state);
 }
 
 function remember(state) {
@@ -55,11 +58,44 @@ function showCard(name, second, label, state) {
   setText(parts.label, pulled ? "Over-pull" : field.label);
   setText(parts.value, value === null ? "–" : bigText(field.quantity, pulled ? -value : value));
   setText(parts.unit, unitOf(field.quantity).name);
-  const limit = limitOf(name);
+  const limit = pulled ? yieldOf(value) : limitOf(name);
   showBar(parts, field, value, limit, setPointOf(name, state));
   const extremes = extremesOf(name), ends = extremes && pulled ? [-extremes[1], -extremes[0]] : extremes;
-  setText(parts.left, ends && !second ? `${bigText(field.quantity, ends[0])} … ${bigText(field.quantity, ends[1])}` : secondText(second, label, state));
-  setText(parts.right, limit ? "max " + shownText(field.quantity, limit, 0) : "");
+  setText(parts.left, pulled && store.margin ? marginText(field.quantity) : ends && !second ? `${bigText(field.quantity, ends[0])} … ${bigText(field.quantity, ends[1])}` : secondText(second, label, state));
+  if (pulled) showPulled(parts);
+  setText(parts.right, limit && !pulled ? "max " + shownText(field.quantity, limit, 0) : "");
+}
+
+/// The over-pull at which the weakest pipe yields; null where it is not known.
+function yieldOf(value) {
+  return store.margin && store.margin.pull_to_yield > 0 ? store.margin.pull_to_yield - value : null;
+}
+
+/// A pulled string is a caution at least.
+function showPulled(parts) {
+  if (parts.card.classList.contains("beyond")) return;
+  parts.card.classList.add("near");
+  if (!parts.mark.textContent) setText(parts.mark, "△");
+}
+
+/// Beside an over-pull: the further pull at which the weakest pipe yields.
+function marginText(quantity) {
+  const margin = store.margin.pull_to_yield;
+  return margin > 0 ? `${shownText(quantity, margin, 0)} to yield` : "beyond yield";
+}
+
+/// Pick-up, rotating and slack-off weights that were measured last near this depth: marks of the hook load, and their numbers.
+function showWeights(state) {
+  const points = store.weights ? store.weights.points : [], parts = cards.hook_load, depth = state.values.bit_depth[0];
+  const shown = WEIGHTS.flatMap(([motion, sign, name]) => {
+    const last = points.filter((one) => one.motion === motion && Math.abs(one.depth - depth) <= NEAR_DEPTH).pop();
+    return last ? [{ sign, name, ...last }] : [];
+  });
+  const whole = limitOf("hook_load") || fieldOf("hook_load").scale[1];
+  parts.marks.replaceChildren(...shown.map((one) => make("u", { text: one.sign, style: `left: ${100 * Math.min(one.load / whole, 1)}%` })));
+  parts.weights.hidden = shown.length === 0;
+  parts.weights.title = shown.map((one) => `${one.sign} ${one.name} weight ${shownText("force", one.load)} ${unitOf("force").name} at ${shownText("length", one.depth)} ${unitOf("length").name}`).join("\n");
+  parts.weights.replaceChildren(...shown.map((one) => make("span", { text: `${one.sign} ${shownText("force", one.load, Math.abs(shownValue("force", one.load)) < 100 ? 1 : 0)}` })));
 }
 
 function secondText(second, label, state) {

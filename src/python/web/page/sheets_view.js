@@ -13,7 +13,7 @@ export function drawTally() {
   fillTable(table, ["connection", "time", named("depth", "length"), "in slips", "weight to weight", ""],
     connections.map((one) => connectionRow(one, connections)));
   fillTable(tally, ["part, bit first", named("length", "length"), `outer [${DIAMETER[systemOfUnits()].name}]`,
-    `inner [${DIAMETER[systemOfUnits()].name}]`, named("above bit", "length")], tallyRows(parts));
+    `inner [${DIAMETER[systemOfUnits()].name}]`, named("from bit", "length")], tallyRows(parts));
   box.replaceChildren(make("div", { class: "scroll" }, make("h2", { text: connections.length ? "Connections" : "Connections: none yet" }), bars,
     connections.length ? table : "",
     make("h2", { text: `Tally: ${store.state && store.state.stand_count !== undefined ? store.state.stand_count + " stands of drill pipe" : ""}` }), tally));
@@ -45,14 +45,14 @@ export function drawSlides() {
     box.replaceChildren(make("p", { class: "nothing", text: "Nothing has been drilled yet." }));
     return;
   }
-  const heads = ["", named("from", "length"), named("to", "length"), named("length", "length"), "time", named("ROP", "penetration"),
+  const heads = ["mode", named("from", "length"), named("to", "length"), named("length", "length"), "time", named("ROP", "penetration"),
     named("WOB", "force"), named("diff. pressure", "pressure")];
   fillTable(table, heads, rows.map((row) => [row.kind, shownText("length", row.depth_from), shownText("length", row.depth_to),
     shownText("length", row.depth_to - row.depth_from),
     clockText(row.seconds), shownText("penetration", row.rop), shownText("force", row.wob), shownText("pressure", row.differential)]));
   const slid = rows.filter((row) => row.kind === "slide").reduce((sum, row) => sum + row.depth_to - row.depth_from, 0);
   const all = rows.reduce((sum, row) => sum + row.depth_to - row.depth_from, 0);
-  const text = `${shownText("length", slid)} of ${shownText("length", all)} ${unitOf("length").name} slid (${(100 * slid / (all || 1)).toFixed(0)} %).`;
+  const text = `${shownText("length", slid)} of ${shownText("length", all)} ${unitOf("length").name} drilled by sliding (${(100 * slid / (all || 1)).toFixed(0)} %).`;
   box.replaceChildren(make("div", { class: "scroll" }, make("p", { class: "faint", text }), table));
 }
 
@@ -64,7 +64,7 @@ export function drawAlarmLog() {
     return;
   }
   fillTable(table, ["alarm", "from", "to", "times", ""], entries.map((one) => [(one.rank === "red" ? "▲ " : "△ ") + one.text, clockText(one.from),
-    one.to === null ? "lasts" : clockText(one.to),
+    one.to === null ? "active" : clockText(one.to),
     String(one.times), one.rank === "red" ? (one.acknowledged ? "acknowledged" : "not acknowledged") : ""]));
   byId("alarm_log").replaceChildren(make("div", { class: "scroll" }, table));
 }

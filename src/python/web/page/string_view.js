@@ -38,8 +38,8 @@ export function drawString() {
   fillCurves(panels.tension, ["tension", "yield", "critical"].map((name) => points("force", string[name])));
   fillCurves(panels.torque, ["torque", "make_up"].map((name) => points("torque", string[name])));
   fillCurves(panels.side, [points("force", string.side)]);
-  const unknown = string.make_up.every((value) => value === null) ? " The scene does not give make-up torques." : "";
-  byId("string_summary").textContent = `At ${clockText(string.t)}, the truth along the string; tension is the effective one.${unknown}`;
+  const unknown = string.make_up.every((value) => value === null) ? " The scene has no make-up torques." : "";
+  byId("string_summary").textContent = `At ${clockText(string.t)}: simulated values along the string, not measurements. Tension is effective tension.${unknown}`;
 }
 
 /// The scale ends at the weakest pipe's yield load: collars bear so much more that the curve would be a line.

@@ -18,7 +18,7 @@ export function buildTimeLog() {
     ...SPANS.map(([seconds, text]) => make("option", { value: seconds, text, selected: seconds === span })));
   const grid = make("div", { class: "tracks timed" });
   box.replaceChildren(make("div", { class: "row tools" }, spans,
-    make("button", { id: "hold_log", text: "Hold", title: "stops the paper; recording goes on", onclick: holdLog }),
+    make("button", { id: "hold_log", text: "Hold", title: "stops the scrolling; recording continues", onclick: holdLog }),
     make("button", { text: "▲ earlier", onclick: () => move(-0.5) }), make("button",
       { text: "▼ later", onclick: () => move(0.5) }), ...keys()), grid);
   const clock = trackBox(grid, []);

@@ -6,15 +6,15 @@ import { unitOf } from "./units.js";
 
 /// A head for one curve; show(ends, value) writes the ends of its scale. `changed`: called when a person has changed them.
 export function trackHead(name, label, quantity, style, changed) {
-  const low = make("button", { class: "low", title: "fix this end of the scale" }), high = make("button",
-    { class: "high", title: "fix this end of the scale" });
+  const low = make("button", { class: "low", title: "set this end of the scale" }), high = make("button",
+    { class: "high", title: "set this end of the scale" });
   const unit = make("span"), title = make("div", { class: "name" }, label + " ", unit);
   const head = make("div", { class: "head" + (style === 1 ? "" : " dashed"), "data-name": name,
     style: `border-color: var(--curve-${style}); color: var(--curve-${style})` }, title,
     make("div", { class: "ends" }, low, make("span"), high));
   let ends = [0, 1];
   const ask = (n) => {
-    const text = window.prompt(`${label} [${unitOf(quantity).name}]: ${n ? "largest" : "least"} value of the scale; empty: by itself`, ends[n]);
+    const text = window.prompt(`${label} [${unitOf(quantity).name}]: ${n ? "largest" : "smallest"} value of the scale (empty: automatic)`, ends[n]);
     if (text === null) return;
     const wanted = [...ends];
     wanted[n] = Number(text);

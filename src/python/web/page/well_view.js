@@ -65,7 +65,7 @@ function fitSquare(chart, points) {
 
 function summary(well) {
   const keys = "— drilled, ▲ bit; - - plan, ◆ target.";
-  if (!well.deviation) return keys + " There is no plan to compare with.";
+  if (!well.deviation) return keys + " No plan.";
   const known = well.deviation.distance.map((value, n) => [value, n]).filter(([value]) => value !== null);
   if (!known.length) return keys;
   const [value, n] = known[known.length - 1], unit = unitOf("length").name;
