@@ -104,6 +104,7 @@ class PipeWork:
     look of its crew would. So both are asked for again and again while the block goes down, or up, little by little."""
     still = 3.0                # so long all stands before the slips are asked for [s]
     slow, creep = 0.02, 0.002  # of the block while weight goes to the slips and comes back; while the slips are tried [m/s]
+    hangs = 0.3                # share of the string's load above which the hook surely carries it still
     rests = 30e3               # of the block on the pipe below it, more than a dead line is off [N]
 
     def __init__(self, period, now, string_load, connection=True):
@@ -150,10 +151,13 @@ class PipeWork:
             commands.slips, self.asked, self.since = True, "slips", readings.t
 
     def slack(self, readings, commands, _):
-        """The block goes down until the rig takes the connection: a second's way, a second's rest, a try."""
+        """The block goes down; from where the slips may bear the string until the rig takes the connection: a second's way, a second's rest, a try."""
         if self.tried(readings, "connection"):
             self.made = True
             return self.go("connect", readings.t)
+        if readings.hook_load_string > self.hangs * self.string_load:
+            self.since = readings.t
+            return self.move(commands, -self.slow)
         step, steps = self.beat(readings, 4.0)
         if step < steps // 4 and readings.hook_load_string < -self.rests:  # it rests on the pipe: what is refused is refused for another reason
             self.move(commands, self.creep)

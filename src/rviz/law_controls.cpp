@@ -42,6 +42,7 @@ LawControls::LawControls(RigLink& link, QWidget* parent)
       start_(make_button("Start", "autodriller start", this)),
       apply_(make_button("Apply", "autodriller apply", this)),
       stop_(make_button("Stop", "autodriller stop", this)),
+      connection_(make_button("Make connection", "autodriller connection", this)),
       status_(make_reading("autodriller status", this)),
       alive_(new QTimer(this))
 {
@@ -63,12 +64,18 @@ LawControls::LawControls(RigLink& link, QWidget* parent)
   for (QPushButton* button : {start_, apply_, stop_}) buttons->addWidget(button);
   const int below = static_cast<int>(boxes_.size());
   grid().addLayout(buttons, below, 0, 1, 2);
-  grid().addWidget(status_, below + 1, 0, 1, 2);
+  grid().addWidget(connection_, below + 1, 0, 1, 2);
+  grid().addWidget(status_, below + 2, 0, 1, 2);
   grid().setColumnStretch(1, 1);
   start_->setToolTip(
       "Zeroes weight and pressure off bottom, goes to bottom and drills. The limit that is reached first leads. A command to the "
       "winch takes over.");
+  connection_->setToolTip(
+      "Picks up off bottom, stops rotary and pump, sets the slips, adds a stand and pulls the slips. A command to the winch "
+      "takes "
+      "over.");
   connect(start_, &QPushButton::clicked, this, &LawControls::start);
+  connect(connection_, &QPushButton::clicked, this, &LawControls::connect_pipe);
   connect(apply_, &QPushButton::clicked, this, &LawControls::apply);
   connect(stop_, &QPushButton::clicked, this, &LawControls::stop);
   connect(alive_, &QTimer::timeout, this, [this] { write({{"type", "alive"}}); });
@@ -149,6 +156,12 @@ void LawControls::start()
   order("start_law");
 }
 
+void LawControls::connect_pipe()
+{
+  begin_process();
+  write({{"type", "connect"}});
+}
+
 void LawControls::apply()
 {
   if (runs()) order("set_law");
@@ -178,7 +191,9 @@ void LawControls::read()
     const QString problem = message.value("problem").toString();
     if (!problem.isEmpty() && problem != law_.value("problem").toString()) Q_EMIT link().said("autodriller", false, problem);
     law_ = message;
-    link().set_busy(runs() ? "the autodriller has it: use the boxes of the autodriller, or stop it" : "");
+    link().set_busy(connects() ? "a connection is being made: stop it first"
+                    : runs()   ? "the autodriller has it: use the boxes of the autodriller, or stop it"
+                               : "");
   }
 }
 
@@ -186,19 +201,23 @@ void LawControls::show_news(const News& news)
 {
   const ControllerStatus* status = news.controller && news.controller->running ? news.controller.get() : nullptr;
   start_->setEnabled(!runs() && status == nullptr);
-  apply_->setEnabled(runs());
+  connection_->setEnabled(start_->isEnabled());
+  apply_->setEnabled(runs() && !connects());
   stop_->setEnabled(process_ != nullptr);  // also while the law is about to start
   QString text = process_ != nullptr && law_.isEmpty() ? "starting" : law_.value("problem").toString();
   if (status != nullptr)
   {
-    text = runs() ? QString() : QString::fromStdString(status->law).replace('_', ' ') + ", not of this console: ";
+    text = connects() ? QString("connection: ")
+           : runs()   ? QString()
+                      : QString::fromStdString(status->law).replace('_', ' ') + ", not of this console: ";
     text += QString::fromStdString(status->phase);
     if (const LawPoint* leader = law_point(status->leads)) text += QStringLiteral(", %1 leads").arg(leader->label);
-    if (const int stalls = law_.value("stalls").toInt(); runs() && stalls > 0) text += QStringLiteral(", %1 stalls").arg(stalls);
+    if (const int stalls = law_.value("stalls").toInt(); runs() && stalls > 0)
+      text += QStringLiteral(", %1 %2").arg(stalls).arg(stalls == 1 ? "stall" : "stalls");
   }
   tell(status_, text.isEmpty() ? QString("stopped") : text);
   if (!follows()) return;
-  const bool is_own = status != nullptr && runs();
+  const bool is_own = status != nullptr && runs() && !connects();
   if (is_own)
     for (std::size_t n = 0; n < boxes_.size(); ++n) boxes_[n]->follow(in_force(*status, law_points[n].name, 0.0));
   else if (news.state && !runs())

@@ -14,9 +14,10 @@ class QTimer;
 
 namespace drill_rig_sim::console
 {
-/// The package's autodriller: limits that start it and that it follows, which loop leads, and a button that stops it. The law
-/// runs in a process of its own (src/python/web/law_process.py), by the orders of drill web's page, and ends with this box. What
-/// any law does is shown by the topic controller/status. A command to the winch takes the block from the law.
+/// The package's autodriller: limits that start it and that it follows, which loop leads, and a button that stops it; and a
+/// connection by one click. The law runs in a process of its own (src/python/web/law_process.py), by the orders of drill web's
+/// page, and ends with this box. What any law does is shown by the topic controller/status. A command to the winch takes the
+/// block from the law.
 class LawControls : public Controls
 {
   Q_OBJECT
@@ -29,6 +30,7 @@ public:
 
 private:
   void start();
+  void connect_pipe();
   void stop();
   void apply() override;
   void take_block();
@@ -39,9 +41,11 @@ private:
   void read();
   void process_ended();
   bool runs() const { return law_.value("running").toBool(); }
+  /// Whether what runs is a connection.
+  bool connects() const { return runs() && law_.value("connects").toBool(); }
 
   std::vector<UnitBox*> boxes_;  // by law_points
-  QPushButton *start_, *apply_, *stop_;
+  QPushButton *start_, *apply_, *stop_, *connection_;
   QLabel* status_;
   QProcess* process_ = nullptr;
   QTimer* alive_;

@@ -23,7 +23,7 @@ def look(page, name):
 
 
 class Situations:
-    """For a test of the page: `page`, `rig`, and `state()`."""
+    """For a test of the page: `page`, `browser`, `rig`, and `state()`."""
 
     def fault(self, kind, clear=False, depth=0.0):
         self.rig.must(self.rig.inject_fault(fault=kind, clear=clear, depth=depth))
@@ -31,14 +31,17 @@ class Situations:
     def test_a_connection(self):
         self.page.click("#tare")
         self.page.wait_text("#answer", "tare: ")
-        self.page.click("#slips_in")
+        stands = self.state().stand_count
+        self.page.click("#connection")
+        self.browser.switch_to.alert.accept()
+        self.page.wait_text("#law_status", "^connection: ")
         wait_until(lambda: self.state().in_slips, "the slips")
-        self.rig.must(self.rig.make_connection(remove=False))
         self.page.wait_text("#number_wob .figure", "^–$")
         self.assertEqual("–", self.page.text("#number_pressure .below").split()[1])
         look(self.page, "connection")
-        self.page.click("#speed_5")
-        wait_until(lambda: not self.state().in_slips and not self.state().current_operation, "the end of the connection")
+        self.page.click("#speed_20")
+        self.page.wait_text("#law_status", "stopped|given up", 600.0)
+        self.assertEqual((stands + 1, False), (self.state().stand_count, self.state().in_slips))
         self.page.click("#speed_1")
         self.page.click("#tab_tally")
         self.page.wait_text("#connections", "1")

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Which field of the messages each reading, limit and flag of the console comes from.
+#include <boost/make_shared.hpp>
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -34,7 +34,7 @@ class Law(unittest.TestCase):
         class Driven:
             def __init__(self, *_, **__):
                 self.orders = []
-                self.set_law = self.start_law = self.alive = lambda *_: self.orders.append("law") or ""
+                self.set_law = self.start_law = self.connect = self.alive = lambda *_: self.orders.append("law") or ""
                 self.law, self.streams = types.SimpleNamespace(stop=lambda: self.orders.append("stop")), types.SimpleNamespace(drop=self.orders.append)
                 self.running = True
 

@@ -39,7 +39,7 @@ class Hands:
         if (page, press) == self.tripped:
             return self.alive()
         if self.law.running:
-            raise Refused("the autodriller has the block: stop it first")
+            raise Refused("%s has the block: stop it first" % ("the connection" if self.law.connects else "the autodriller"))
         if self.holder not in (None, page):
             raise Refused("another page holds the block")
         self.streams.keep("winch", WinchCommand(block_velocity=velocity))
@@ -84,6 +84,14 @@ class Hands:
 
     def start_law(self, _, order):
         self.law.start(order)
+        return self._hand_over()
+
+    def connect(self, *_):
+        """A connection, by the crew."""
+        self.law.connect()
+        return self._hand_over()
+
+    def _hand_over(self):
         self.holder, self.law_ran = None, True
         self.streams.drop("winch", "top_drive")  # they are the law's now
         return self.alive()
@@ -100,7 +108,7 @@ class Hands:
         """After the law: brake, the drive goes on as it turned."""
         self.law_ran = False
         self.streams.keep("winch", WinchCommand(brake=True))
-        self.streams.keep("top_drive", TopDriveCommand(mode=TopDriveCommand.SPEED, speed=self.law.settings["rpm"]))
+        self.streams.keep("top_drive", TopDriveCommand(mode=TopDriveCommand.SPEED, speed=self.law.rpm_after))
 
     # --- time
 

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The package's autodriller, started, followed and stopped by pages; it drives the rig by topics as a node of launch/autodriller.launch does."""
+"""The package's autodriller and its connection, started, followed and stopped by pages; they drive the rig by topics as a node of launch does."""
 import math
 import threading
 
 import rospy
 from drill_rig_sim.autodriller import Autodriller
+from drill_rig_sim.connection import Connection
 from drill_rig_sim.law import RPM
 from drill_rig_sim.lockstep import Refused
 from drill_rig_sim.topics import Follower
@@ -30,27 +31,43 @@ class LawBox:
 
     def __init__(self, source, scene=lambda: [], parts=lambda: []):
         self.source, self.scene, self.parts = source, scene, parts
-        self.follower, self.settings, self.problem = None, {}, ""
+        self.follower, self.connects, self.settings, self.problem = None, False, {}, ""  # connects: the last law was a connection
         self.news, self.data = threading.Condition(), None
 
     @property
     def running(self):
         return self.follower is not None
 
+    @property
+    def rpm_after(self):
+        """Rotary speed with which the rig goes on after the law [rad/s]."""
+        return 0.0 if self.connects else self.settings["rpm"]
+
     def start(self, order):
         """By the numbers of BOUNDS. Refused where one runs already or a number is wrong."""
-        if self.running:
-            raise Refused("the autodriller is already running")
+        self.must_be_free()
         depth = self.source.last.bit_depth if self.source.last is not None else 0.0
         self.settings = {"stiffness": stiffness_of(self.parts(), depth), **settings_of(order)}
-        self.follower, self.problem, self.data = Follower(law_of(self.settings, self.scene())), "", None
+        self.begin(law_of(self.settings, self.scene()))
+
+    def connect(self):
+        """Makes a connection."""
+        self.must_be_free()
+        self.begin(Connection())
+
+    def must_be_free(self):
+        if self.running:
+            raise Refused("a connection is being made: stop it first" if self.connects else "the autodriller is already running")
+
+    def begin(self, law):
+        self.connects, self.follower, self.problem, self.data = isinstance(law, Connection), Follower(law), "", None
         self.source.on_state = self.take
         threading.Thread(target=self.run, args=(self.follower,), daemon=True).start()
 
     def set(self, order):
         """Other set points while it runs."""
-        if not self.running:
-            raise Refused("the autodriller is not running")
+        if not self.running or self.connects:
+            raise Refused("a connection is being made: stop it first" if self.running else "the autodriller is not running")
         self.settings = settings_of({**self.settings, **order})
         law = self.follower.law
         for name in LOOPS:
@@ -86,20 +103,27 @@ class LawBox:
                 if before == "zeroing" and follower.law.phase == "tagging":
                     rospy.ServiceProxy("tare", Trigger)()  # so that the rig's WOB has the zero that the law has
             except Exception as error:  # pylint: disable=broad-except
-                self.problem = "the autodriller has failed: %s: %s" % (type(error).__name__, error)
+                self.problem = "the %s has failed: %s: %s" % ("connection" if self.connects else "autodriller", type(error).__name__, error)
                 self.stop()
 
     def status(self):
         """For the pages."""
         follower = self.follower
         if follower is None:
-            return {"running": False, "phase": "", "leads": "", "problem": self.problem, "settings": self.settings}
+            return {"running": False, "connects": False, "phase": "", "leads": "", "problem": self.problem, "settings": self.settings}
         law = follower.law
         if law.done:
-            self.problem = "the autodriller has finished: the weight is drilled off"
+            self.problem = end_of(law)
             self.stop()
-        return {"running": not law.done, "phase": law.phase.replace("_", " "), "leads": law.winner, "stalls": law.stalls, "problem": self.problem,
-                "settings": self.settings}
+        return {"running": not law.done, "connects": self.connects, "phase": law.phase.replace("_", " "), "leads": getattr(law, "winner", ""),
+                "stalls": getattr(law, "stalls", 0), "problem": self.problem, "settings": self.settings}
+
+
+def end_of(law):
+    """Why a law has ended by itself; "" for a connection that is made."""
+    if isinstance(law, Connection):
+        return "the connection is given up: " + law.given_up if law.given_up else ""
+    return "the autodriller has finished: the weight is drilled off"
 
 
 def settings_of(order):

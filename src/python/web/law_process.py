@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The package's autodriller for a program that is no page: the driller's console. The orders are those of a page (start_law, set_law, stop_law, alive) and leave_block,
+"""The package's autodriller for a program that is no page: the driller's console. The orders are those of a page (start_law, set_law, stop_law, connect, alive) and leave_block,
 a line of JSON each on standard input; the answers and the law's status go as such lines to standard output. When the input ends, the law stops and
 the brake is set.
 
@@ -35,7 +35,7 @@ class LawProcess:
     def __init__(self, source, hands_of):
         self.source, self.scene, self.parts, self.shown = source, [], [], None
         self.hands = hands_of(source, lambda: self.scene, parts=lambda: self.parts)
-        self.kinds = {"start_law": self.hands.start_law, "set_law": self.hands.set_law, "stop_law": self.hands.stop_law, "alive": self.hands.alive,
+        self.kinds = {"start_law": self.hands.start_law, "set_law": self.hands.set_law, "stop_law": self.hands.stop_law, "connect": self.hands.connect, "alive": self.hands.alive,
                       "leave_block": self.leave_block}
 
     def look(self):

@@ -13,7 +13,7 @@ class Orders:
         self.feed, self.hands = feed, hands
         self.allowed = {"acknowledge": self.acknowledge, "broomstick": self.broomstick}
         self.moving = {} if hands is None else {"hold": hands.hold, "release": hands.release, "alive": hands.alive, "set": hands.set,
-            "call": self.call,
+            "call": self.call, "connect": hands.connect,
                                                 "start_law": hands.start_law, "set_law": hands.set_law, "stop_law": hands.stop_law}
 
     async def take(self, page, order):

@@ -87,5 +87,6 @@ function rigBox() {
       button("tare", "Zero WOB", call("tare"))),
     make("div", { class: "row" }, button("slips_in", "Set slips", call("set_slips", true)),
       button("slips_out", "Pull slips", call("set_slips", false)),
-      button("connection", "Make connection", call("make_connection", false, "Make a connection now?"))), make("div", { class: "row" }, ...speeds));
+      button("connection", "Make connection",
+        () => window.confirm("Make a connection now? The crew stops rotary and pump, and adds a stand.") && send({ type: "connect" }))), make("div", { class: "row" }, ...speeds));
 }

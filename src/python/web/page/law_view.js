@@ -28,9 +28,10 @@ function showLaw(law, boxes, parts) {
     boxes[order].show(order in law.settings ? law.settings[order] : order === "to_depth" ? depthAhead() : law.settings.weight ? null : first || null);
   }
   parts.start.disabled = law.running;
-  parts.change.disabled = parts.stop.disabled = !law.running;
-  const leads = law.leads ? `, ${store.hello.law_points.find((point) => point.name === law.leads).label} leads` : "", stalls = law.stalls ? `, ${law.stalls} stalls` : "";
-  setText(parts.status, law.running ? law.phase + leads + stalls : law.problem || "stopped");
+  parts.change.disabled = !law.running || law.connects;
+  parts.stop.disabled = !law.running;
+  const leads = law.leads ? `, ${store.hello.law_points.find((point) => point.name === law.leads).label} leads` : "", stalls = law.stalls ? `, ${law.stalls} ${law.stalls === 1 ? "stall" : "stalls"}` : "";
+  setText(parts.status, law.running ? (law.connects ? "connection: " : "") + law.phase + leads + stalls : law.problem || "stopped");
 }
 
 /// To where the block can go without a connection.
