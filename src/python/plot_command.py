@@ -78,23 +78,23 @@ def write(pictures, folder, run, scores, units=SI):
     return page
 
 
-def write_web_page(run, plan, namespace, folder, units):
+def write_web_page(run, plan, options, folder, units):
     """The page of drill web with the run inside, where Chart.js is installed."""
     if not has_chart_library():
         return
     try:
-        source = BagSource(run.name, namespace) if run.name.endswith(".bag") else SeriesSource(run, plan)
+        source = BagSource(run.name, options.namespace) if run.name.endswith(".bag") else SeriesSource(run, plan)
     except RunError as problem:
         report(["%s is left out: %s" % (WEB_PAGE, problem)])
         return
     with open(os.path.join(folder, WEB_PAGE), "w", encoding="utf-8") as out:
-        out.write(page_of(source, units.system))
+        out.write(page_of(source, units.system, options.scene))
 
 
 def main(words):
     parser = argparse.ArgumentParser(prog="drill plot", description=__doc__)
     parser.add_argument("run")
-    for name in ("--out", "--plan", "--columns", "--namespace", "--string"):
+    for name in ("--out", "--plan", "--columns", "--namespace", "--string", "--scene"):
         parser.add_argument(name)
     parser.add_argument("--pass-over", action="store_true")
     parser.add_argument("--units", choices=SYSTEMS, default="si")
@@ -105,7 +105,7 @@ def main(words):
         run = read_run(options.run, options.namespace)
         plan = read_survey(options.plan, options.columns or "", options.pass_over) if options.plan else None
         page = write(pictures_of(run, plan, options.string, units), folder, run, score(run, plan), units)
-        write_web_page(run, plan, options.namespace, folder, units)
+        write_web_page(run, plan, options, folder, units)
     except (RunError, SurveyError, plot_well.StringError) as error:
         print("drill plot: %s" % error, file=sys.stderr)
         return BAD_INPUT

@@ -16,17 +16,20 @@ namespace
 struct PlotOptions
 {
   SurveyFileOptions plan_file;
-  std::string run, out, plan, string, name_space, units = "si";
+  std::string run, out, plan, string, scene, name_space, units = "si";
 };
 
 void plot(const PlotOptions& options)
 {
   std::vector<std::string> words;
   add_plan_words(words, options.plan, options.plan_file);
-  become_python(
-      "plot_command", words,
-      {{"--out", options.out}, {"--string", options.string}, {"--namespace", options.name_space}, {"--units", options.units}},
-      {options.run});
+  become_python("plot_command", words,
+                {{"--out", options.out},
+                 {"--string", options.string},
+                 {"--scene", options.scene},
+                 {"--namespace", options.name_space},
+                 {"--units", options.units}},
+                {options.run});
 }
 }  // namespace
 
@@ -42,6 +45,7 @@ Command add_plot_command(CLI::App& drill)
   add_survey_file_options(*words, options->plan_file, "the plan's");
   add_text(*words, "--string", options->string, "FILE",
            "of drill run --profile or drill static --csv: the forces along the string");
+  add_text(*words, "--scene", options->scene, "FILE", "of the run: computes the broomstick chart of web.html, in some seconds");
   add_text(*words, "--namespace", options->name_space, "NS", "namespace of the rig, where a bag has several");
   add_units(*words, options->units);
   return {words, [options] { plot(*options); }};

@@ -266,6 +266,12 @@ class Stick(unittest.TestCase):
             from drill_rig_sim.sim import static  # noqa: F401  pylint: disable=unused-import
         except ImportError:
             self.skipTest("the Python module sim is not built")
+        self.assertEqual(self.scene["well"]["stations"], changed["well"]["stations"])
+
+    def test_a_hole_that_became_deeper_goes_on_straight(self):
+        deeper = scene_at(self.scene, 699.0, 1.0)["well"]
+        self.assertEqual(([600, 40, 0], [700.0, 40, 0], 700.0, 700.0), (*deeper["stations"][-2:], deeper["hole_depth"], deeper["sections"][0]["to"]))
+        self.assertEqual((3, 600.0), (len(self.scene["well"]["stations"]), self.scene["well"]["sections"][0]["to"]))
         loads = {(one["factor"], one["motion"], round(one["depth"])): one["load"] for one in points(self.scene, 600.0)}
         deep = round(599.0)
         self.assertGreater(loads[1.0, "up", deep], loads[1.0, "rotate", deep])

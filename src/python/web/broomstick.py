@@ -5,6 +5,7 @@ standard output."""
 import asyncio
 import json
 import os
+import re
 import sys
 import tempfile
 
@@ -17,17 +18,31 @@ MOST_FRICTION = 5.0         # that a scene may have
 
 
 def scene_at(scene, bit_depth, factor):
-    """A scene whose bit hangs at a depth, with other friction."""
+    """A scene whose bit hangs at a depth, with other friction. A hole that became deeper than its stations goes on straight."""
     well = dict(scene["well"])
     if "sections" in well:
         well["sections"] = [{**section, "friction": min(factor * section.get("friction", 0.0), MOST_FRICTION)} for section in well["sections"]]
+    deepest = bit_depth + OFF_BOTTOM
+    if well.get("stations") and well["stations"][-1][0] < deepest:
+        well["stations"] = [*well["stations"], [deepest, *well["stations"][-1][1:]]]
+    if well.get("hole_depth", deepest) < deepest:
+        well["hole_depth"] = deepest
+    if well.get("sections") and well["sections"][-1].get("to", deepest) < deepest:
+        well["sections"][-1]["to"] = deepest
     start = {**scene.get("start", {}), "bit_depth": bit_depth, "weight_on_bit": 0.0, "torque_on_bit": 0.0}
     return {**scene, "well": well, "start": start}
 
 
-def cases(depth):
-    """Factor, depth and motion of each point; what rotates has the same weight with any friction."""
-    return [(factor, share * (depth - OFF_BOTTOM), motion) for factor in FACTORS for share in SHARES
+def assembly_length(scene):
+    """Of the parts below the pipe that reaches to the surface [m]."""
+    parts = [part for part in scene.get("string", []) if part.get("joints") != "fill"]
+    return sum(part["length"] if "length" in part else part.get("joints", 1) * part.get("joint_length", 0.0) for part in parts)
+
+
+def cases(scene, depth):
+    """Factor, depth and motion of each point, none with the assembly above the table; what rotates has the same weight with any friction."""
+    depths = [share * (depth - OFF_BOTTOM) for share in SHARES if share == SHARES[0] or share * (depth - OFF_BOTTOM) > assembly_length(scene)]
+    return [(factor, bit_depth, motion) for factor in FACTORS for bit_depth in depths
             for motion in (("up", "down", "rotate") if factor == 1.0 else ("up", "down"))]
 
 
@@ -37,14 +52,14 @@ def points(scene, depth):
     from drill_rig_sim.sim import static
     with tempfile.TemporaryDirectory() as folder:
         file = os.path.join(folder, "broomstick.yaml")
-        for factor, bit_depth, motion in cases(depth):
+        for factor, bit_depth, motion in cases(scene, depth):
             with open(file, "w", encoding="utf-8") as out:
                 yaml.safe_dump(scene_at(scene, bit_depth, factor), out)
             point = {"factor": factor, "motion": motion, "depth": bit_depth}
             try:
                 yield {**point, "load": static(file, motion)["hook_load_gauge"]}
             except (Refused, ValueError) as refusal:
-                yield {**point, "load": None, "why": str(refusal).splitlines()[0]}
+                yield {**point, "load": None, "why": re.sub(r"^\S*broomstick.yaml:(\d+: )?", "", str(refusal).splitlines()[0])}
 
 
 def main():
@@ -64,7 +79,7 @@ class Broomstick:
         """`scene`: text of a scene. Why it cannot be, or ""."""
         if self.message["running"]:
             return "the broomstick is already being computed"
-        self.message = {**self.message, "points": [], "done": False, "running": True, "problem": "", "count": len(cases(depth))}
+        self.message = {**self.message, "points": [], "done": False, "running": True, "problem": "", "count": len(cases(yaml.safe_load(scene), depth))}
         self._task = asyncio.ensure_future(self._work(scene, depth))
         return ""
 

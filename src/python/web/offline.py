@@ -4,6 +4,9 @@ import json
 import os
 import re
 
+import yaml
+from drill_rig_sim.score_runs import RunError
+from drill_rig_sim.web.broomstick import points
 from drill_rig_sim.web.chart_library import chart_library
 from drill_rig_sim.web.feed import Feed
 
@@ -45,11 +48,31 @@ def no_end(text, tag):
     return re.sub("</(?=%s)" % tag, r"<\\/", text, flags=re.IGNORECASE)
 
 
-def page_of(source, units):
-    """HTML of the page about all that a source has; `units`: a system of drill_rig_sim.units."""
+def page_of(source, units, scene=None):
+    """HTML of the page about all that a source has; `units`: a system of drill_rig_sim.units; `scene`: file for the broomstick chart."""
     feed = Feed(source, False, units)
     state = feed.take()[-1]
-    return html_of([*feed.whole(), state])
+    theory = [broomstick_of(scene, float(feed.log.last["hole_depth"]))] if scene else []
+    return html_of([*feed.whole(), *theory, state])
+
+
+def broomstick_of(file, depth):
+    """The message of the broomstick chart that is computed; RunError where the scene cannot be read."""
+    try:
+        with open(file, encoding="utf-8") as text:
+            scene = yaml.safe_load(text)
+    except (OSError, yaml.YAMLError) as problem:
+        raise RunError("%s: %s" % (file, str(problem).splitlines()[0])) from None
+    if not isinstance(scene, dict) or not isinstance(scene.get("well"), dict):
+        raise RunError("%s: is no scene: needed is a section well" % file)
+    survey = scene["well"].get("survey")
+    if isinstance(survey, str):
+        scene["well"]["survey"] = os.path.join(os.path.dirname(os.path.abspath(file)), survey)
+    try:
+        computed = list(points(scene, depth))
+    except ImportError:
+        raise RunError("--scene needs the Python module drill_rig_sim.sim, which is not built") from None
+    return {"type": "broomstick", "points": computed, "count": len(computed), "done": True, "running": False, "problem": ""}
 
 
 def html_of(messages):

@@ -13,7 +13,7 @@ export function buildBroomstick() {
   if (chart) dropChart(chart);
   const canvas = make("canvas", { "aria-label": "broomstick chart" });
   byId("broomstick").replaceChildren(
-    make("div", { class: "row" }, make("button", { id: "work_out", class: "primary", text: "Compute", onclick: () => send({ type: "broomstick" }) }),
+    make("div", { class: "row" }, make("button", { id: "work_out", class: "primary", hidden: Boolean(byId("run")), text: "Compute", onclick: () => send({ type: "broomstick" }) }),
       make("span", { id: "broomstick_status", class: "faint" })),
     make("div", { class: "canvas" }, canvas));
   chart = makeChart(canvas, {
@@ -49,8 +49,8 @@ function curves(points) {
 
 function statusText(theory, measured) {
   const keys = "Orange: pick-up. Green: rotating. Blue: slack-off. Thick: friction of the scene. Dotted: 0.5 times. Dashed: 1.5 times.";
-  const failed = theory.points.filter((one) => one.load === null).length;
+  const failed = theory.points.filter((one) => one.load === null);
   const state = theory.problem || (theory.running ? `${theory.points.length} of ${theory.count} points` : theory.points.length ? "" : "Not computed yet.");
-  return [state, failed ? `${failed} points have no equilibrium.` : "", `${measured.length} measured weights (▲ ● ▼).`,
+  return [state, failed.length ? `${failed.length} points could not be computed: ${failed[0].why}.` : "", `${measured.length} measured weights (▲ ● ▼).`,
     theory.points.length ? keys : ""].join(" ");
 }

@@ -16,7 +16,7 @@ export function drawTally() {
     `inner [${DIAMETER[systemOfUnits()].name}]`, named("from bit", "length")], tallyRows(parts));
   box.replaceChildren(make("div", { class: "scroll" }, make("h2", { text: connections.length ? "Connections" : "Connections: none yet" }), bars,
     connections.length ? table : "",
-    make("h2", { text: `Tally: ${store.state && store.state.stand_count !== undefined ? store.state.stand_count + " stands of drill pipe" : ""}` }), tally));
+    ...(parts.length ? [make("h2", { text: `Tally: ${store.state && store.state.stand_count !== undefined ? store.state.stand_count + " stands of drill pipe" : ""}` }), tally] : [])));
 }
 
 function connectionRow(one, all) {
