@@ -64,6 +64,14 @@ def processes_below(pid):
     return [int(child) for child in children] + [one for child in children for one in processes_below(child)]
 
 
+def processor_time(pid):
+    """Of a process since its begin [s]; 0 where it has ended."""
+    with contextlib.suppress(OSError), open("/proc/%d/stat" % pid, encoding="utf-8") as stat:
+        words = stat.read().rpartition(")")[2].split()
+        return (int(words[11]) + int(words[12])) / os.sysconf("SC_CLK_TCK")
+    return 0.0
+
+
 def draws_pages(pid):
     with contextlib.suppress(OSError), open("/proc/%d/cmdline" % pid, "rb") as words:
         return b"--type=renderer" in words.read()

@@ -157,6 +157,12 @@ class Alarm(unittest.TestCase):
         self.take(alarms, 50.0, 1, 0)
         self.assertEqual(len(alarms.entries), 2)
 
+    def test_a_caution_that_comes_again_and_again_is_one(self):
+        alarms = Alarms()
+        for begin in (0.0, 2.0, 4.0, 30.0):
+            alarms.take(numpy.array([begin, begin + 1.0]), {"winch_limited": numpy.array([True, False])}, ["winch_limited"])
+        self.assertEqual([("amber", 0.0, 4.0, 3), ("amber", 30.0, 30.0, 1)], [(one["rank"], one["from"], one["to"], one["times"]) for one in alarms.entries])
+
 
 DRILLS = {"rop": 0.01, "top_drive_speed": 6.0, "flow": 0.03}
 
@@ -260,18 +266,18 @@ class Stick(unittest.TestCase):
         changed = scene_at(self.scene, 300.0, 1.5)
         self.assertEqual(changed["start"], {"bit_depth": 300.0, "block_height": 20.0, "weight_on_bit": 0.0, "torque_on_bit": 0.0})
         self.assertEqual((changed["well"]["sections"][0]["friction"], self.scene["well"]["sections"][0]["friction"]), (0.375, 0.25))
-
-    def test_weights_part_with_depth_and_friction(self):
-        try:
-            from drill_rig_sim.sim import static  # noqa: F401  pylint: disable=unused-import
-        except ImportError:
-            self.skipTest("the Python module sim is not built")
         self.assertEqual(self.scene["well"]["stations"], changed["well"]["stations"])
 
     def test_a_hole_that_became_deeper_goes_on_straight(self):
         deeper = scene_at(self.scene, 699.0, 1.0)["well"]
         self.assertEqual(([600, 40, 0], [700.0, 40, 0], 700.0, 700.0), (*deeper["stations"][-2:], deeper["hole_depth"], deeper["sections"][0]["to"]))
         self.assertEqual((3, 600.0), (len(self.scene["well"]["stations"]), self.scene["well"]["sections"][0]["to"]))
+
+    def test_weights_part_with_depth_and_friction(self):
+        try:
+            from drill_rig_sim.sim import static  # noqa: F401  pylint: disable=unused-import
+        except ImportError:
+            self.skipTest("the Python module sim is not built")
         loads = {(one["factor"], one["motion"], round(one["depth"])): one["load"] for one in points(self.scene, 600.0)}
         deep = round(599.0)
         self.assertGreater(loads[1.0, "up", deep], loads[1.0, "rotate", deep])

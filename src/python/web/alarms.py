@@ -24,7 +24,7 @@ class Alarms:
 
     def _raise(self, flag, begin, end, lasts):
         entry = self._last.get(flag)
-        if entry is None or (entry["to"] is not None and (begin > entry["to"] + AGAIN or entry["acknowledged"])):
+        if entry is None or (entry["to"] is not None and (begin > entry["to"] + AGAIN or (entry["acknowledged"] and entry["rank"] == "red"))):
             rank, text = FLAGS[flag]
             entry = {"number": self._next, "flag": flag, "rank": rank, "text": text, "from": begin, "to": begin, "times": 0,
                 "acknowledged": rank != "red"}

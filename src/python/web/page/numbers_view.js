@@ -59,9 +59,9 @@ function showCard(name, second, label, state) {
   setText(parts.value, value === null ? "–" : bigText(field.quantity, pulled ? -value : value));
   setText(parts.unit, unitOf(field.quantity).name);
   const limit = pulled ? yieldOf(value) : limitOf(name);
-  showBar(parts, field, value, limit, setPointOf(name, state));
+  showBar(parts, field, value, limit, pulled ? null : setPointOf(name, state));
   const extremes = extremesOf(name), ends = extremes && pulled ? [-extremes[1], -extremes[0]] : extremes;
-  setText(parts.left, pulled && store.margin ? marginText(field.quantity) : ends && !second ? `${bigText(field.quantity, ends[0])} … ${bigText(field.quantity, ends[1])}` : secondText(second, label, state));
+  setText(parts.left, pulled && store.margin ? marginText(field.quantity) : ends && value !== null && !second ? `${bigText(field.quantity, ends[0])} … ${bigText(field.quantity, ends[1])}` : secondText(second, label, state));
   if (pulled) showPulled(parts);
   setText(parts.right, limit && !pulled ? "max " + shownText(field.quantity, limit, 0) : "");
 }
@@ -93,6 +93,7 @@ function showWeights(state) {
   });
   const whole = limitOf("hook_load") || fieldOf("hook_load").scale[1];
   parts.marks.replaceChildren(...shown.map((one) => make("u", { text: one.sign, style: `left: ${100 * Math.min(one.load / whole, 1)}%` })));
+  parts.card.classList.toggle("weighed", shown.length > 0);
   parts.weights.hidden = shown.length === 0;
   parts.weights.title = shown.map((one) => `${one.sign} ${one.name} weight ${shownText("force", one.load)} ${unitOf("force").name} at ${shownText("length", one.depth)} ${unitOf("length").name}`).join("\n");
   parts.weights.replaceChildren(...shown.map((one) => make("span", { text: `${one.sign} ${shownText("force", one.load, Math.abs(shownValue("force", one.load)) < 100 ? 1 : 0)}` })));
