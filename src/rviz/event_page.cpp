@@ -202,7 +202,8 @@ void EventPage::show_state(const RigState* state, const RigTruth* truth, const D
   for (const Line& line : lines)
   {
     auto* item = new QListWidgetItem(sign_of(line.level) + line.text, now_);
-    item->setForeground(text_color(line.level));
+    item->setForeground(line.level == Level::alarm ? QColor(Qt::black) : text_color(line.level));
+    if (line.level == Level::alarm) item->setBackground(color_of(line.level));  // red letters are dim to the colour-blind
     if (line.level != Level::normal) ++warnings_;
   }
   gravest_ = warnings_ > 0 ? sign_of(lines.front().level) + lines.front().text : doubtful ? accuracy : none;

@@ -119,7 +119,11 @@ void HeaderBar::show_warning(const QString& text, Level level)
 {
   if (text == warning_->toolTip()) return;
   QPalette p = palette();
-  p.setColor(QPalette::WindowText, level == Level::normal ? QColor(look::faint) : drill_rig_sim::console::color_of(level));
+  const QColor color = level == Level::normal ? QColor(look::faint) : drill_rig_sim::console::color_of(level);
+  const bool is_alarm = level == Level::alarm;  // black on red: red letters are dim to the colour-blind
+  p.setColor(QPalette::WindowText, is_alarm ? QColor(Qt::black) : color);
+  if (is_alarm) p.setColor(QPalette::Window, color);
+  warning_->setAutoFillBackground(is_alarm);
   warning_->setPalette(p);
   warning_->setToolTip(text);
   warning_->setAccessibleDescription(text);
