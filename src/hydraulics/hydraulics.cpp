@@ -58,20 +58,33 @@ Outflow outflow_either_way(double capacity, double pressure, double inflow, doub
   return {sign * out.flow, sign * out.pressure};
 }
 
+/// Losses of the annulus by a law, and what narrows it.
+struct AnnulusLaw
+{
+  const SectionLosses& law;
+  double narrowing;
+
+  LossTable::Value at(double flow, double displaced) const noexcept
+  {
+    const LossTable::Value plain = law.outer(flow, displaced);
+    return {narrowing * plain.loss, narrowing * plain.slope};
+  }
+};
+
 /// The annulus with losses by a law: p + (step/capacity) (inflow - Q) = P(Q, displaced) + held, the last against the flow and as
 /// much as there is. Either way.
-Outflow annulus_by_law(const HydraulicCircuit& circuit, double pressure, double inflow, double displaced, double step,
-                       double held, double guess) noexcept
+Outflow annulus_by_law(const HydraulicCircuit& circuit, double narrowing, double pressure, double inflow, double displaced,
+                       double step, double held, double guess) noexcept
 {
-  const SectionLosses& law = circuit.law;
-  if (circuit.annulus.capacity <= 0.0) return {inflow, law.outer(inflow, displaced).loss};
+  const AnnulusLaw law{circuit.law, narrowing};
+  if (circuit.annulus.capacity <= 0.0) return {inflow, law.at(inflow, displaced).loss};
   const double by_flow = step / circuit.annulus.capacity, top = pressure + by_flow * inflow;
-  const double driving = top - law.outer(0.0, displaced).loss;
+  const double driving = top - law.at(0.0, displaced).loss;
   if (std::abs(driving) <= held || driving == 0.0) return {0.0, top};
   const double sign = driving < 0.0 ? -1.0 : 1.0;
   const auto excess = [&](double q)
   {
-    const LossTable::Value loss = law.outer(sign * q, displaced);
+    const LossTable::Value loss = law.at(sign * q, displaced);
     return LossTable::Value{sign * (top - loss.loss) - by_flow * q - held, -by_flow - loss.slope};
   };
   const double flow =
@@ -81,7 +94,7 @@ Outflow annulus_by_law(const HydraulicCircuit& circuit, double pressure, double 
 
 /// What leaves the annulus at the flow line, and its pressure.
 Outflow advance_annulus(const HydraulicCircuit& circuit, const HydraulicState& state, double inflow, double displaced,
-                        double step, double held) noexcept
+                        double step, double held, const MudWays& ways) noexcept
 {
   if (!circuit.law.any())
   {
@@ -89,8 +102,10 @@ Outflow advance_annulus(const HydraulicCircuit& circuit, const HydraulicState& s
     return outflow_either_way(circuit.annulus.capacity, state.annulus_pressure, inflow + displaced, step, outer,
                               state.return_flow);
   }
-  Outflow out = annulus_by_law(circuit, state.annulus_pressure, inflow, displaced, step, held, state.return_flow - displaced);
+  Outflow out = annulus_by_law(circuit, ways.narrowing, state.annulus_pressure - ways.load, inflow, displaced, step, held,
+                               state.return_flow - displaced);
   out.flow += displaced;
+  out.pressure += ways.load;
   return out;
 }
 
@@ -157,7 +172,7 @@ void advance_hydraulics(const MudPumpSpec& spec, const HydraulicCircuit& circuit
 
   const double plug = bore.flow + leak > 0.0 ? ways.plug : 0.0;
   const double held = state.annulus_gel * circuit.annulus.gel + plug;
-  const Outflow annulus = advance_annulus(circuit, state, bore.flow + leak, displaced, step, held);
+  const Outflow annulus = advance_annulus(circuit, state, bore.flow + leak, displaced, step, held, ways);
   flow = bore.flow;
   state.stand_pipe_pressure = bore.pressure;
   state.annulus_pressure = annulus.pressure;

@@ -6,6 +6,7 @@
 #include "drill_rig_sim/model/evaluate.h"
 #include "drill_rig_sim/model/extend_hole.h"
 #include "drill_rig_sim/model/forces/place_drag.h"
+#include "drill_rig_sim/model/hole_cleaning.h"
 #include "drill_rig_sim/model/pointing.h"
 #include "drill_rig_sim/model/running_speed.h"
 
@@ -92,6 +93,7 @@ void advance_discrete(const Model& model, const Stage& stage, Workspace& work, S
   state.time += stage.time;
   work.profiler.lap(Cost::other);
   extend_hole(model, stage, work.result, state);
+  advance_cuttings(model, stage.time, state);
   work.profiler.lap(Cost::rock_penetration);
 }
 
@@ -122,7 +124,8 @@ void advance_mud(const Model& model, double commanded, double step, State& state
       motor ? mud_motor_pressure(mud_motor_leakage, motor->pressure_displacement(), motor_load(model, state)) : 0.0;
   const MudCircuit& mud = model.mud();
   const double displaced = mud.displaced_area > 0.0 ? mud.displaced_area * running_speed(mud, state.nodes) : 0.0;
-  const MudWays ways{plug_pressure(model, state), leak_flow(model, state), fill_bore(model, state)};
+  const MudWays ways{plug_pressure(model, state), leak_flow(model, state), fill_bore(model, state), state.cuttings.load,
+                     state.cuttings.narrowing};
   advance_hydraulics(model.scene().rig.mud_pump, mud.circuit, commanded, over_motor, displaced, step, state.flow,
                      state.hydraulics, ways);
 }

@@ -181,7 +181,7 @@ void evaluate_forces(const ForceList& forces, Force::Add Force::*use, const Stag
   move_guided_nodes(at, u);
   work.profiler.lap(Cost::kinematics);
   find_in_hole(model, at.start, stage, work);
-  put_faults_on_wall(model, at.start.faults, stage, work);
+  put_faults_on_wall(model, at.start, stage, work);
   work.profiler.lap(Cost::contact);
   add_forces(forces, use, at, {work, residual, tangent});
 }

@@ -41,7 +41,7 @@ void take_pressures(const Model& model, const State& state, Stage& stage) noexce
     if (!pumped) continue;
     stage.free_stretch[e] +=
         mud.stretch_by_bore[e] * pressures.in_bore(mud, e) + mud.stretch_by_annulus[e] * pressures.in_annulus(mud, e);
-    const double lift = mud.lift[e] * (pressures.annulus - stage.drags[0].pressure);
+    const double lift = mud.lift[e] * (pressures.annulus - state.cuttings.load - stage.drags[0].pressure);
     if (lift != 0.0) stage.load.set(e, stage.load[e] + lift * up_along(state, e));
   }
   if (stage.drags[0].pressure <= 0.0) return;

@@ -11,15 +11,19 @@ namespace
 {
 /// @param motion  of a node or an element's middle
 template <class Motion>
-void put(const FaultState& faults, double radius, Motion& motion) noexcept
+void put(const State& state, double radius, Motion& motion) noexcept
 {
   ClosestPoint& closest = motion.closest;
   if (closest.md <= 0.0) return;
-  const WashOut wider = wash_out(faults, closest.md);
+  const WashOut wider = wash_out(state.faults, closest.md);
   closest.radius += wider.radius;
   closest.radius_slope += wider.slope;
-  closest.friction *= friction_factor(faults, closest.md);
+  closest.friction *= friction_factor(state, closest.md);
   if (motion.touches) motion.touches = wall_gap(closest, motion.position, radius) < 0.0;
+}
+bool is_at_wall(const State& state) noexcept
+{
+  return state.faults.at_wall() || state.cuttings.drags;
 }
 }  // namespace
 
@@ -31,9 +35,9 @@ WashOut wash_out(const FaultState& faults, double md) noexcept
   return {quarter * (1.0 + std::cos(pi * away)), -quarter * pi / wash_out_length * std::sin(pi * away)};
 }
 
-void put_faults_on_wall(const Model& model, const FaultState& faults, const Stage& stage, Workspace& work) noexcept
+void put_faults_on_wall(const Model& model, const State& state, const Stage& stage, Workspace& work) noexcept
 {
-  if (!faults.at_wall()) return;
+  if (!is_at_wall(state)) return;
   // of those that batches have found clear nothing new is known, and of gauge and blades all is
   const auto is_new = [&](bool touches, bool singly) { return !work.place || touches || singly; };
   each_outside(stage.guided_nodes, model.top(),
@@ -41,7 +45,7 @@ void put_faults_on_wall(const Model& model, const FaultState& faults, const Stag
                {
                  const std::size_t i = static_cast<std::size_t>(k);
                  NodeMotion& node = work.nodes[i];
-                 if (is_new(node.touches, work.columns.single_nodes[i])) put(faults, model.mesh().nodes[i].contact_radius, node);
+                 if (is_new(node.touches, work.columns.single_nodes[i])) put(state, model.mesh().nodes[i].contact_radius, node);
                });
   each_outside(stage.guided_elements, model.elements(),
                [&](int k)
@@ -49,19 +53,19 @@ void put_faults_on_wall(const Model& model, const FaultState& faults, const Stag
                  const std::size_t e = static_cast<std::size_t>(k);
                  SpanMotion& span = work.spans[e];
                  if (is_new(span.touches, work.columns.single_elements[e]))
-                   put(faults, 0.5 * model.mesh().elements[e].outer_diameter, span);
+                   put(state, 0.5 * model.mesh().elements[e].outer_diameter, span);
                });
 }
 
 void put_faults_on_guides(const State& state, Stage& stage) noexcept
 {
-  if (!state.faults.at_wall()) return;
+  if (!is_at_wall(state)) return;
   for (const Runs::Run& run : stage.guided_nodes)
     for (int k = run.first; k < run.last; ++k)
     {
       const double md = state.nodes[static_cast<std::size_t>(k)].md;
       if (md <= 0.0) continue;
-      stage.guides.friction[k] *= friction_factor(state.faults, md);
+      stage.guides.friction[k] *= friction_factor(state, md);
       stage.guides.clearance[k] += wash_out(state.faults, md).radius;
     }
 }

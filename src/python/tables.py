@@ -48,6 +48,8 @@ SIGNALS = (
     Signal("over_stress", "truth", "bool", "over_stress", "number", "", 0),
     Signal("over_torque", "truth", "bool", "over_torque", "number", "", 0),
     Signal("buckled", "truth", "bool", "buckled", "number", "", 0),
+    Signal("cuttings_volume", "truth", "float64", "cuttings_volume", "volume", "", 0),
+    Signal("bed_height", "truth", "float64", "bed_height", "diameter", "", 0),
     Signal("accuracy_warning", "both", "bool", "accuracy_warning", "number", "", 0),
     Signal("top_drive_brake_set", "both", "bool", "top_drive_brake_set", "number", "", 0),
     Signal("top_drive_limited", "both", "bool", "top_drive_limited", "number", "", 0),

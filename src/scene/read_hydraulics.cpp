@@ -119,8 +119,10 @@ bool is_by_viscosity(const RheologySpec& rheology)
 void read_mud(const YAML::Node& node, const std::string& path, Scene& scene, Problems& problems)
 {
   const std::map<std::string, YAML::Node> entries = read_block(node, path, mud_keys, every_kind, scene.mud, problems);
-  const auto fill = entries.find("fill"), rheology = entries.find("rheology");
+  const auto fill = entries.find("fill"), rheology = entries.find("rheology"), cuttings = entries.find("cuttings");
   if (fill != entries.end()) read_fill(fill->second, join(path, "fill"), scene.mud.fill, problems);
+  if (cuttings != entries.end())
+    read_block(cuttings->second, join(path, "cuttings"), cuttings_keys, every_kind, scene.cuttings.emplace(), problems);
   if (rheology == entries.end()) return;
   scene.rheology.emplace();
   read_rheology(rheology->second, join(path, "rheology"), *scene.rheology, problems);
@@ -153,7 +155,7 @@ void check_hydraulics(const Scene& scene, Problems& problems)
     problems.add("string[0].nozzle_area", "is given together with nozzles, allowed: one of the two");
   if (!scene.rheology)
   {
-    for (const char* key : {"string[0].nozzles", "string[0].nozzle_area", "rig.mud_pump.surface_lines"})
+    for (const char* key : {"string[0].nozzles", "string[0].nozzle_area", "rig.mud_pump.surface_lines", "mud.cuttings"})
       refuse_without_rheology(key, problems);
     return;
   }
@@ -163,6 +165,8 @@ void check_hydraulics(const Scene& scene, Problems& problems)
   if (is_by_viscosity(*scene.rheology) && scene.mud.viscosity <= 0.0)
     problems.add("mud.viscosity", "0 is given together with a newtonian mud.rheology, allowed: above 0");
   if (scene.mud.density <= 0.0) problems.add("mud.density", "0 is given with a mud.rheology, allowed: above 0");
+  if (scene.cuttings && scene.cuttings->density <= scene.mud.density)
+    problems.add("mud.cuttings.density", "must be above mud.density");
   if (!scene.string.empty() && scene.string[0].bit && scene.string[0].bit->flow_area() <= 0.0)
     problems.add("string[0].nozzles", "is missing; mud.rheology needs nozzles or nozzle_area of the bit");
 }

@@ -176,10 +176,23 @@ const Table<MudSpec> mud_keys = {"mud", "The drilling fluid around and inside th
   {"rheology",              "",       Nested{},                            none,
       "flow curve of the mud: pressure losses by section, ECD, surge and swab follow from it instead of "
       "`rig.mud_pump.pressure_coefficient`. Needs `nozzles` or `nozzle_area` of the bit", no_kind, every_kind, "none"},
+  {"cuttings",              "",       Nested{},                            none,
+      "cuttings that the mud carries: their weight in the annulus, and the bed on the low side of an inclined hole with its "
+      "drag on the string; `{}` takes all defaults. Needs `rheology`", no_kind, every_kind, "none, the mud stays clean"},
   {"fill",                  "m",      Nested{},                            none,
       "mud level in a string that is run in with a float and not filled: distance along the string from the rotary table down. "
       "One number, or by bit depth `[[bit_depth, level], ...]`, linear between rows. A level at the bit or deeper: the string "
       "is empty. The pump fills the string before mud reaches the bit", no_kind, every_kind, "0, full"},
+}};
+
+const Table<CuttingsSpec> cuttings_keys = {"mud.cuttings", "Cuttings in the mud; needs `mud.rheology`.", {
+  {"density",               "kg/m3",  &CuttingsSpec::density,              between(1000.0, 5000.0),
+      "density of the rock, above the mud's"},
+  {"size",                  "m",      &CuttingsSpec::size,                 between(1e-4, 0.05),  "diameter of a cutting"},
+  {"porosity",              "-",      &CuttingsSpec::porosity,             between(0.2, 0.7),
+      "share of mud in a bed of cuttings"},
+  {"friction",              "-",      &CuttingsSpec::friction,             between(0.0, 2.0),
+      "friction coefficient of a bed on the pipe that it covers, an assumption; 0: a bed has no drag"},
 }};
 
 const Table<RheologySpec> rheology_keys = {"mud.rheology",

@@ -50,6 +50,7 @@ extern const Table<HoleSection> section_keys;
 extern const Table<FormationLayer> layer_keys;
 extern const Table<MudSpec> mud_keys;
 extern const Table<RheologySpec> rheology_keys;
+extern const Table<CuttingsSpec> cuttings_keys;
 extern const Table<PartSpec> part_keys;
 extern const Table<ContactLaw> part_contact_keys;
 extern const Table<ContactLaw> bit_bottom_keys;

@@ -73,6 +73,7 @@ std::string scene_reference()
   write(out, layer_keys);
   write(out, mud_keys);
   write(out, rheology_keys, rheology_words);
+  write(out, cuttings_keys);
   PartSpec part;
   part.bit.emplace();
   part.motor.emplace();

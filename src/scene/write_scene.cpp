@@ -196,13 +196,16 @@ std::string well_of(const WellSpec& well)
                    "sections", well.sections, [](const HoleSection& s) { return "{" + entries_of(section_keys, s) + "}"; }, "  ");
 }
 
-std::string mud_of(const MudSpec& mud, const std::optional<RheologySpec>& rheology)
+std::string mud_of(const Scene& scene)
 {
+  const MudSpec& mud = scene.mud;
+  const std::optional<RheologySpec>& rheology = scene.rheology;
   const std::string fill = rows_of("fill", mud.fill, &FillLevel::bit_depth, &FillLevel::level);
   if (!rheology) return block("mud", joined({entries_of(mud_keys, mud), fill}));
+  const std::string cuttings = scene.cuttings ? entry("cuttings", "{" + entries_of(cuttings_keys, *scene.cuttings) + "}") : "";
   const std::string readings = rows_of("readings", rheology->readings, &ViscometerReading::speed, &ViscometerReading::dial);
   const std::string curve = joined({entries_of(rheology_keys, *rheology, RheologySpec(), kind(rheology->law)), readings});
-  return block("mud", joined({entries_of(mud_keys, mud), fill, block("rheology", curve)}));
+  return block("mud", joined({entries_of(mud_keys, mud), fill, block("rheology", curve), cuttings}));
 }
 
 std::string pump_of(const MudPumpSpec& pump)
@@ -251,7 +254,7 @@ std::string write_scene(const Scene& scene)
   out += well_of(scene.well);
   out += list_of("formation", scene.formation,
                  [](const FormationLayer& layer) { return "{" + entries_of(layer_keys, layer) + "}"; });
-  out += lines_of(mud_of(scene.mud, scene.rheology));
+  out += lines_of(mud_of(scene));
   out += list_of("string", scene.string, part_of);
   out += lines_of(rig_of(scene.rig));
   out += lines_of(block_of("contact", contact_keys, scene.contact));

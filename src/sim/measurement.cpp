@@ -12,6 +12,7 @@
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/model/evaluate.h"
 #include "drill_rig_sim/model/forces/slips.h"
+#include "drill_rig_sim/model/hole_cleaning.h"
 #include "drill_rig_sim/rig/hoisting.h"
 #include "drill_rig_sim/sim/accuracy_watch.h"
 #include "drill_rig_sim/solve/start.h"
@@ -220,6 +221,8 @@ void Measurement::measure_bit() noexcept
   m.bit_orientation = bit.orientation * rotation_from_vector(Vector3d(std::remainder(s.bit.turned, 2.0 * pi), 0.0, 0.0));
   m.bit_velocity = bit.rate.velocity + bit.rate.tilt.cross(motion_.model()->mesh().bit_radius * axis);
   m.bit_flow = s.flow;
+  m.cuttings_volume = cuttings_in_hole(s.cuttings);
+  m.bed_height = s.cuttings.bed_height;
   m.ecd = equivalent_circulating_density(scene_.mud.density, s.hydraulics.annulus_pressure, -m.bit_position.z());
   m.bit_speed = bit.rate.spin + s.bit.motor_speed;
   m.bit_angular_velocity = bit.rate.tilt + m.bit_speed * axis;

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drill_losses.h"
 
+#include <algorithm>
 #include <cstdio>
 
+#include "drill_rig_sim/hydraulics/cuttings.h"
 #include "drill_rig_sim/hydraulics/mud_motor.h"
 #include "drill_rig_sim/math/units.h"
+#include "drill_rig_sim/well/directions.h"
 #include "drill_rig_sim/well/survey.h"
 
 namespace drill_rig_sim
@@ -56,6 +59,51 @@ void print_densities(const Scene& scene, const Mesh& mesh, const MudCircuit& mud
   print_density_at(scene, mesh, mud, scene.start.bit_depth, ", the bit", printed);
   std::printf("\n");
 }
+
+/// The flow below which cuttings gather somewhere, and where that is.
+struct CriticalFlow
+{
+  double flow = 0.0;         // [m3/s]
+  double md = 0.0;           // [m]
+  double inclination = 0.0;  // [rad]
+};
+
+CriticalFlow critical_flow(const Scene& scene, const Mesh& mesh, double rop, double rotation)
+{
+  const CuttingsFluid fluid{curve_of(*scene.rheology, scene.mud.viscosity), scene.mud.density, *scene.cuttings};
+  const Survey survey(scene.well.survey);
+  CriticalFlow most;
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e)
+  {
+    const double md = scene.start.bit_depth - mesh.middle(e), pipe = mesh.elements[e].outer_diameter;
+    const double hole = scene.well.sections[section_at(scene.well.sections, md)].diameter;
+    if (md <= 0.0 || hole <= pipe) continue;
+    const CuttingsCell cell{{hole, pipe, 0.0}, mesh.elements[e].section.length, inclination_of(survey.at(md).tangent)};
+    const double flow = critical_cuttings_speed(fluid, cell, rop, rotation) * cell.passage.area();
+    if (flow > most.flow) most = {flow, md, cell.inclination};
+  }
+  return most;
+}
+
+void print_cuttings(const Scene& scene, const Mesh& mesh, const Printed& printed)
+{
+  constexpr double rop = 20.0 / 3600.0;
+  constexpr Printed::InSI three_digits{"%.3g", "m3/s"};
+  std::printf("cuttings    gather at %s below a flow of", printed(rop, Dimension::penetration, {"%.0f", "m/h", 3600.0}).c_str());
+  CriticalFlow least;
+  for (const double turns : {0.0, 60.0, 120.0})
+  {
+    least = critical_flow(scene, mesh, rop, turns * rpm);
+    std::printf("%s %s at %.0f rpm (%s, %.0f deg)", turns > 0.0 ? "," : "",
+                printed(least.flow, Dimension::flow, three_digits).c_str(), turns,
+                printed(least.md, Dimension::length, {"%.0f", "m"}).c_str(), least.inclination / degree);
+  }
+  std::printf("\n");
+  const double most = scene.rig.mud_pump.max_flow;
+  if (least.flow > most)
+    std::printf("            the pump's largest flow, %s, is less: keep the rate of penetration lower\n",
+                printed(most, Dimension::flow, three_digits).c_str());
+}
 }  // namespace
 
 void print_losses(const Scene& scene, const Mesh& mesh, const MudCircuit& mud, const Printed& printed)
@@ -71,6 +119,7 @@ void print_losses(const Scene& scene, const Mesh& mesh, const MudCircuit& mud, c
               loss_text(losses.lines + losses.bore + losses.bit + losses.annulus, printed).c_str());
   std::printf(mud.circuit.law.any() ? "\n" : " by pressure_coefficient\n");
   if (scene.rheology) print_densities(scene, mesh, mud, printed);
+  if (scene.cuttings) print_cuttings(scene, mesh, printed);
 }
 
 }  // namespace drill_rig_sim

@@ -15,6 +15,16 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import test_drill  # noqa: E402 (leaves nothing behind)
 
 QUICK, OILFIELD = test_drill.QUICK, os.path.join(test_drill.SOURCE, 'config/scenes/oilfield.yaml')
+WITH_CUTTINGS = """name: cuttings
+well: {stations: [[0, 0, 0], [300, 0, 0], [1000, 70, 0], [1500, 70, 0]], hole_depth: 1500, sections: [{to: 1500, diameter: 0.2159, friction: 0.2}]}
+formation: [{to_tvd: 5000, drillability: 6.0e-8}]
+mud: {density: 1200, rheology: {law: bingham, plastic_viscosity: 15 cP, yield_point: 10 lb/100ft2}, cuttings: {}}
+string:
+  - {name: bit, type: bit, length: 0.3, mass: 50, diameter: 0.2159, nozzles: [14, 14, 14, 14]}
+  - {name: pipe, type: pipe, joints: fill, joint_length: 9.5, outer_diameter: 0.127, inner_diameter: 0.1086, linear_mass: 32}
+rig: {mud_pump: {max_flow: 0.04}}
+start: {bit_depth: 1499}
+"""
 
 
 class Units(test_drill.Drill):
@@ -41,6 +51,22 @@ class Units(test_drill.Drill):
             total = re.search(r'\nstring +([\d.]+) +(\d+)\n', text)
             self.assertAlmostEqual(1578.0, float(total.group(1)) / (0.3048 if text is in_si else 1.0), delta=0.05)
         self.assertIn("'imperial' is not known, allowed: si or oilfield", self.refuse('check', OILFIELD, '--units', 'imperial'))
+
+    def test_check_prints_the_flow_that_carries_cuttings(self):
+        scene = self.file('cuttings.yaml')
+        with open(scene, 'w', encoding='utf-8') as out:
+            out.write(WITH_CUTTINGS)
+        pattern = r'^cuttings    gather at (\S+) \S+ below a flow of (\S+) \S+ at 0 rpm \(.*, 70 deg\), (\S+) \S+ at 60 rpm .*, (\S+) \S+ at 120 rpm .*$'
+        in_si, shown = (re.search(pattern, self.succeed('check', scene, *units), re.M).groups() for units in ((), ('--units', 'oilfield')))
+        self.assertEqual('20', in_si[0])
+        self.assertAlmostEqual(20.0 / 0.3048, float(shown[0]), delta=0.1)
+        flows = [float(flow) for flow in in_si[1:]]
+        self.assertGreater(flows[0], flows[1])
+        self.assertGreater(flows[1], flows[2])
+        for flow, gallons in zip(flows, shown[1:]):
+            self.assertAlmostEqual(flow, 6.30902e-5 * float(gallons), delta=1e-4)
+        self.assertNotIn('is less', self.succeed('check', scene))
+        self.assertIn("            the pump's largest flow, 0.01 m3/s, is less: keep the rate of penetration lower\n", self.succeed('check', scene, '--set', 'rig.mud_pump.max_flow=0.01'))
 
     def test_survey(self):
         file = self.file('survey.csv')

@@ -80,6 +80,8 @@ Truth numbered_truth()
   m.bit_azimuth = 262.0;
   m.bend_toolface = 263.0;
   m.floor_height = 264.0;
+  m.cuttings_volume = 265.0;
+  m.bed_height = 266.0;
   return m;
 }
 
@@ -132,6 +134,8 @@ Row truth_row()
           {"on_bottom", 0},
           {"stand_count", 0},
           {"brake_set", 0},
+          {"cuttings_volume", 265},
+          {"bed_height", 266},
           {"top_drive_brake_set", 0},
           {"command_clamped", 0},
           {"commands_timed_out", 0},

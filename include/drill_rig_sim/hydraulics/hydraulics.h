@@ -35,6 +35,9 @@
 /// A string that is not full (mud.fill): what the pump delivers fills it first, and nothing reaches the bit, without a pressure,
 /// until it is full.
 ///
+/// Cuttings in the annulus (model/hole_cleaning.h): p_a is larger by their weight W, whatever moves, and the losses of a law grow
+/// by a factor where their bed narrows the annulus, p_a = W + f P(V) + G_a.
+///
 /// Relief valve, by the pump: the stand pipe does not exceed relief_pressure, and what is too much goes back to the tanks.
 ///
 /// Implicit Euler, volume by volume from the pump on, each a scalar equation with one root: stable at any step, though resistance
@@ -130,8 +133,10 @@ struct MudWays
 {
   double plug =
       0.0;  ///< what packed cuttings hold back in the annulus while mud is pumped; what the string displaces seeps through [Pa]
-  double leak = 0.0;  ///< through a hole in the string, past motor and bit into the annulus [m3/s]
-  double air = 0.0;   ///< volume in the string that the pump fills first [m3]
+  double leak = 0.0;       ///< through a hole in the string, past motor and bit into the annulus [m3/s]
+  double air = 0.0;        ///< volume in the string that the pump fills first [m3]
+  double load = 0.0;       ///< by which the cuttings in the annulus weigh on the bit's depth, moving or at rest [Pa]
+  double narrowing = 1.0;  ///< factor on the annulus's losses by law: what a bed of cuttings makes of them [-]
 };
 
 /// Flow through a hole of an area [m2] by a pressure [Pa]: 0.61 A sqrt(2 p/rho), Torricelli's with a sharp edge's contraction,

@@ -3,9 +3,11 @@
 #define DRILL_RIG_SIM_MODEL_MODEL_H
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 #include "drill_rig_sim/contact/section_friction.h"
+#include "drill_rig_sim/hydraulics/cuttings.h"
 #include "drill_rig_sim/hydraulics/mud_circuit.h"
 #include "drill_rig_sim/math/kernel.h"
 #include "drill_rig_sim/scene/scene.h"
@@ -54,6 +56,8 @@ public:
   const SteerableSpec* steerable() const noexcept { return steerable_; }
   /// The mud's way through string and hole.
   const MudCircuit& mud() const noexcept { return mud_; }
+  /// Mud with cuttings; none: the mud stays clean.
+  const std::optional<CuttingsFluid>& cuttings() const noexcept { return cuttings_; }
   /// How fast the body that follows the bit lets the hole turn.
   const TurnLimit& turn_limit() const noexcept { return turn_limit_; }
   /// Wall contact at a node; friction as the scene has it everywhere.
@@ -100,6 +104,7 @@ private:
   const SteerableSpec* steerable_ = nullptr;  // too
   double bit_bristle_ = 0.0;
   MudCircuit mud_;
+  std::optional<CuttingsFluid> cuttings_;
   TurnLimit turn_limit_;
 };
 

@@ -9,6 +9,7 @@
 
 #include "drill_rig_sim/contact/cut_ground.h"
 #include "drill_rig_sim/hydraulics/hydraulics.h"
+#include "drill_rig_sim/model/cuttings_state.h"
 #include "drill_rig_sim/model/fault_state.h"
 #include "drill_rig_sim/rig/heave.h"
 #include "drill_rig_sim/rig/top_drive.h"
@@ -260,6 +261,7 @@ struct State
       Eigen::Vector3d::Zero();  ///< of a shaft that points the bit (pointing.h), across its collar, world axes [rad]
   FaultState faults;
   HydraulicState hydraulics;
+  CuttingsState cuttings;
   double flow = 0.0;  ///< through string, motor and bit; constant within a step [m3/s]
 
   template <class V>
@@ -281,6 +283,7 @@ struct State
     v("lean", lean);
     v("faults", faults);
     v("hydraulics", hydraulics);
+    v("cuttings", cuttings);
     v("flow", flow);
   }
 };

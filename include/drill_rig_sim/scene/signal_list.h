@@ -110,6 +110,8 @@ BOTH(bool, relief_valve_open, number, "", 0, "of the pump: part of its flow goes
 TRUTH(bool, over_stress, number, "pipe is stressed beyond its yield strength; yielding is not modelled")
 TRUTH(bool, over_torque, number, "pipe is twisted beyond the make-up torque of its connections")
 TRUTH(bool, buckled, number, "pipe is compressed beyond its buckling load in the hole")
+TRUTH(double, cuttings_volume, volume, "of rock in the hole, in the flow and in beds; 0 without mud.cuttings")
+TRUTH(double, bed_height, diameter, "largest height of a bed of cuttings along the hole; 0 without mud.cuttings")
 BOTH(bool, accuracy_warning, number, "", 0, "the simulation itself may be wrong; the diagnostics give the reason and the remedy",
      "the same")
 BOTH(bool, top_drive_brake_set, number, "", 0, "the top drive's brake is on", "exact")

@@ -89,7 +89,7 @@ void find_pads(const Model& model, const State& state, const Setpoints& setpoint
   const double own_lever = model.mesh().nodes[static_cast<std::size_t>(i)].friction_radius;
   pads.around = axis.cross(-pads.force / pads.normal_force);
   pads.lever = own_lever > 0.0 ? own_lever : hole.radius + wash_out(state.faults, hole.md).radius;
-  pads.friction = hole.friction * friction_factor(state.faults, hole.md);
+  pads.friction = hole.friction * friction_factor(state, hole.md);
   pads.law = model.contact(i, hole.section, state.pads.rest);
 }
 

@@ -125,7 +125,7 @@ PlaceDrag drag_at(const Model& model, const State& state, double bit_depth, std:
   out.most = drag.amount;
   if (k == 0)
   {
-    out.pressure = std::clamp(state.hydraulics.annulus_pressure, 0.0, plug_at(model, state, out.node));
+    out.pressure = std::clamp(state.hydraulics.annulus_pressure - state.cuttings.load, 0.0, plug_at(model, state, out.node));
     return out;
   }
   const FaultState& faults = state.faults;
