@@ -83,7 +83,7 @@ using namespace drill_rig_sim;
 
 namespace
 {
-void drill(bool balance, BitTorqueModel law = BitTorqueModel::stribeck, double step = 0.01)
+void drill(bool balance, BitTorqueModel law = BitTorqueModel::stribeck, double step = 0.01, bool cuttings = false)
 {
   allocations = 0;
   Scene scene = drilling_scene(0.005);
@@ -91,6 +91,14 @@ void drill(bool balance, BitTorqueModel law = BitTorqueModel::stribeck, double s
   scene.string[0].bit->torque.model = law;
   scene.instruments.hook_load = {500.0, 100.0, 0.25, 0.5};
   scene.instruments.mwd.period = 2.0;
+  if (cuttings)
+  {
+    scene.rheology.emplace();
+    scene.rheology->plastic_viscosity = 0.02;
+    scene.rheology->yield_point = 5.0;
+    scene.string[0].bit->nozzle_area = 4e-4;
+    scene.cuttings.emplace();
+  }
   Simulator rig(scene);
   rig.balance_energy(balance);
 
@@ -108,6 +116,7 @@ void drill(bool balance, BitTorqueModel law = BitTorqueModel::stribeck, double s
   EXPECT_EQ(failed, 0);
   EXPECT_EQ(allocations - own, 0);
   EXPECT_TRUE(rig.truth().on_bottom);
+  EXPECT_EQ(rig.truth().cuttings_volume > 0.0, cuttings);
   EXPECT_GT(rig.truth().hole_depth, 100.1) << "must have drilled through a correction interval";
 }
 }  // namespace
@@ -133,6 +142,11 @@ TEST(Frame, allocatesNothingInStrides)
 }
 
 // The crew works between the frames.
+TEST(Frame, allocatesNothingWithCuttings)
+{
+  drill(false, BitTorqueModel::stribeck, 0.01, true);
+}
+
 TEST(Frame, allocatesNothingInConnections)
 {
   allocations = 0;
