@@ -105,7 +105,7 @@ def pipe_work(commands, slips, connection):
     """Slips and connection, by two functions that may raise Refused; why they were refused, or ""."""
     try:
         if commands.slips is not None:
-            slips(commands.slips)
+            slips(**commands.slips) if isinstance(commands.slips, dict) else slips(commands.slips)
         if commands.connection:
             connection(**(commands.connection if isinstance(commands.connection, dict) else {}))
     except Refused as refusal:

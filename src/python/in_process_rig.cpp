@@ -321,6 +321,13 @@ void InProcessRig::slips(bool are_set)
   ask_slips(*simulator_, are_set);
 }
 
+void InProcessRig::slips_for(std::uint32_t joints, bool remove)
+{
+  const Turn turn(*this);
+  require_good();
+  ask_slips_for(*simulator_, joints, remove);
+}
+
 void InProcessRig::connection(std::uint32_t joints, bool remove)
 {
   const Turn turn(*this);

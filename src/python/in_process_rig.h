@@ -204,6 +204,8 @@ public:
   double block_mass() const noexcept { return scene_.rig.hoisting.block_mass; }
   /// Of the crown block above the rotary table [m].
   double crown_height() const noexcept { return scene_.rig.hoisting.crown_height; }
+  /// Largest acceleration of the block [m/s2].
+  double block_acceleration() const noexcept { return scene_.rig.hoisting.max_acceleration; }
   /// Largest speed of the top drive [rad/s].
   double max_rotation() const noexcept { return scene_.rig.top_drive.max_speed; }
   /// Largest flow of the pump [m3/s].
@@ -216,6 +218,8 @@ public:
   Zero tare_over(double duration);
   void fault(const std::string& name, bool clear, const std::string& target, double depth, double magnitude);
   void slips(bool are_set);
+  /// Sets the slips on the joint that a connection with these joints needs (Simulator::set_slips_for).
+  void slips_for(std::uint32_t joints, bool remove);
   void connection(std::uint32_t joints, bool remove);
   /// Begins operations, YAML as `operations` of a scene: a list or one block. They take the place of what is played.
   void operate(const std::string& operations);

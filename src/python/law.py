@@ -13,7 +13,7 @@ class Commands:
         self.block_velocity, self.brake = block_velocity, brake
         self.top_drive = top_drive  # fields of TopDriveCommand, mode by its name: {"mode": "SPEED", "speed": 9.4}
         self.flow, self.steering = flow, steering  # steering: toolface, ratio
-        self.slips = slips  # set or pull them
+        self.slips = slips  # set or pull them; a dict: fields of slips() of a simulator
         self.connection = connection  # add a stand; or what is to be done, as fields of MakeConnection: {"joints": 2, "remove": True}
 
 

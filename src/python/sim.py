@@ -106,6 +106,11 @@ class Simulator(Lockstep):
         return self._rig.crown_height()
 
     @property
+    def block_acceleration(self):
+        """The largest of the block [m/s2]."""
+        return self._rig.block_acceleration()
+
+    @property
     def limits(self):
         """By signal, the largest that the rig can do: top_drive_speed [rad/s] and flow [m3/s]."""
         return {"top_drive_speed": self._rig.max_rotation(), "flow": self._rig.max_flow()}
@@ -231,9 +236,13 @@ class Simulator(Lockstep):
         """Begins a fault, named as in InjectFault: rig.fault("STUCK_PIPE", depth=900.0)."""
         self._rig.fault(fault, clear, target, depth, magnitude)
 
-    def slips(self, are_set):
-        """Hangs the string in the slips or takes it from there."""
-        self._rig.slips(are_set)
+    def slips(self, are_set=True, connection=None):
+        """Hangs the string in the slips, by the joint that is nearest to the rotary table, or takes it from there. `connection`: fields of connection(), for which
+        the slips hold the joint that it needs."""
+        if are_set and connection is not None:
+            self._rig.slips_for(connection.get("joints", 0), connection.get("remove", False))
+        else:
+            self._rig.slips(are_set)
 
     def connection(self, joints=0, remove=False):
         """Adds joints of drill pipe, or removes them; 0: a stand."""

@@ -51,6 +51,15 @@ int PipeHandling::joint_at_table() const noexcept
   return nearest;
 }
 
+int PipeHandling::joint_for(int joints, bool remove) const
+{
+  const Mesh& mesh = motion_.model()->mesh();
+  if (!remove) return uppermost_joint(mesh);
+  const int count = joints > 0 ? joints : scene_.rig.hoisting.stand_joints;
+  if (joints_below_stump(mesh, scene_) <= count) return -1;
+  return uppermost_joint(build_mesh(scene_, string_.length - count * scene_.string.back().joint_length));
+}
+
 double PipeHandling::place_of(int joint) const noexcept
 {
   return motion_.model()->mesh().nodes[static_cast<std::size_t>(joint)].from_bit;
@@ -200,11 +209,7 @@ std::shared_ptr<const Model> PipeHandling::model_of(const StringBuilt& string) c
 
 void PipeHandling::string_changed()
 {
-  joint_below_stand_ = -1;
-  const int joints = scene_.rig.hoisting.stand_joints;
-  if (joints_below_stump(motion_.model()->mesh(), scene_) <= joints) return;
-  const double length = string_.length - joints * scene_.string.back().joint_length;
-  joint_below_stand_ = uppermost_joint(build_mesh(scene_, length));
+  joint_below_stand_ = joint_for(0, true);
 }
 
 }  // namespace drill_rig_sim

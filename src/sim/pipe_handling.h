@@ -19,6 +19,8 @@ public:
 
   /// The joint's end of pipe that is nearest to the rotary table; -1: there is none.
   int joint_at_table() const noexcept;
+  /// The end above which a connection with these joints adds or takes away pipe; -1: not as many are there. Allocates.
+  int joint_for(int joints, bool remove) const;
   /// Of a joint's end, unstretched from the bit's face [m]; and the end that is nearest to such a place.
   double place_of(int joint) const noexcept;
   int joint_at(double from_bit) const noexcept;

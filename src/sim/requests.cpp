@@ -111,11 +111,25 @@ ScenePlayer operations_of(const std::string& yaml_text, const std::string& name_
   return ScenePlayer(scene);
 }
 
-void ask_connection(Simulator& simulator, std::uint32_t joints, bool remove)
+namespace
+{
+void require_few(std::uint32_t joints)
 {
   if (joints > most_joints)
     throw std::runtime_error("joints is " + std::to_string(joints) + "; allowed is 0 (a stand) to " +
                              std::to_string(most_joints));
+}
+}  // namespace
+
+void ask_slips_for(Simulator& simulator, std::uint32_t joints, bool remove)
+{
+  require_few(joints);
+  refuse_if(simulator.set_slips_for(static_cast<int>(joints), remove));
+}
+
+void ask_connection(Simulator& simulator, std::uint32_t joints, bool remove)
+{
+  require_few(joints);
   refuse_if(simulator.make_connection(static_cast<int>(joints), remove));
 }
 

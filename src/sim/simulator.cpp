@@ -269,6 +269,15 @@ const char* Simulator::set_slips(bool set) noexcept
   return refused;
 }
 
+const char* Simulator::set_slips_for(int joints, bool remove)
+{
+  if (impl_->crew.is_busy()) return "slips: the crew is making a connection";
+  const int joint = impl_->rig.pipe.joint_for(joints, remove);
+  const char* refused = joint < 0 ? "slips: the string does not have as many joints" : impl_->actions.set_slips(joint);
+  impl_->rig.measurement.show_pipe_handling();
+  return refused;
+}
+
 const char* Simulator::make_connection(int joints, bool remove) noexcept
 {
   if (impl_->crew.is_busy()) return "connection: the crew is already making one";

@@ -23,6 +23,7 @@ from drill_rig_sim.sim import RPM, Failed, Refused, Simulator, TimedOut, series,
 
 PACKAGE_DIR = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 QUICK = os.path.join(PACKAGE_DIR, "config/scenes/quick.yaml")
+STANDS = os.path.join(PACKAGE_DIR, "config/scenes/stands.yaml")
 STEERABLE = os.path.join(PACKAGE_DIR, "test/scenes/steerable.yaml")
 sys.path.insert(0, os.path.join(PACKAGE_DIR, "launch"))
 OTHERWISE = ("header", "run_state", "last_command")  # fields of RigState that only a node has
@@ -298,6 +299,28 @@ class InThisProcess(unittest.TestCase):
         rss = Simulator(STEERABLE)
         rss.steer(1.0, 0.5)
         self.assertEqual((1.0, 0.5), (rss.step().truth.steering.toolface, rss.state.truth.steering.ratio))
+
+    def test_slips_on_the_joint_that_a_connection_needs(self):
+        two = {"joints": 2, "remove": True}
+        for connection, said in ((None, "the slips hold another joint"), (two, "made")):
+            rig = Simulator(STANDS)
+            rig.winch(0.3)
+            rig.step(seconds=30.0)
+            rig.brake()
+            rig.step(seconds=3.0)
+            rig.slips(connection=connection)
+            rig.winch(-0.01)
+            rig.step(seconds=2.0)
+            rig.brake()
+            rig.step(seconds=2.0)
+            try:
+                rig.connection(**two)
+                answer = "made"
+            except Refused as refusal:
+                answer = str(refusal)
+            self.assertIn(said, answer)
+        with self.assertRaisesRegex(Refused, "joints is 50; allowed is 0"):
+            Simulator(STANDS).slips(connection={"joints": 50, "remove": True})
 
     def test_faults_are_listed_and_fields_that_do_not_apply_refused(self):
         self.assertEqual([], self.rig.active_faults)

@@ -34,6 +34,8 @@ std::string words_of(const Zero& zero);
 void ask_fault(Simulator& simulator, const Fault& fault, bool clear);
 /// Sets the slips or pulls them.
 void ask_slips(Simulator& simulator, bool set);
+/// Sets the slips on the joint that a connection with `joints` needs.
+void ask_slips_for(Simulator& simulator, std::uint32_t joints, bool remove);
 /// The scene that runs, with the hole's depth, the bit's depth and the block's height at present as its start and without program
 /// and operations: what operations that are asked for now are read and checked by (operations_of()).
 Scene present_scene(const Simulator& simulator);

@@ -166,6 +166,9 @@ public:
   bool set_free_length(double from_bit) noexcept override;
 
   const char* set_slips(bool set) noexcept override;
+  /// Sets the slips on the joint that a connection with these joints needs (0: a stand), also where another one is nearer to the
+  /// rotary table. Refused (a text) as set_slips() is, and where the string does not have as many joints. Allocates.
+  const char* set_slips_for(int joints, bool remove);
   const char* make_connection(int joints, bool remove) noexcept override;
   void call_crew(bool on) noexcept override;
   /// What the rig's crew does between two frames: makes up the string of a connection that is over, and connections of its own

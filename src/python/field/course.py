@@ -7,25 +7,29 @@ WIDEST = 0.06        # half the band at most [m]: what moves more is the block
 STEADY = 0.1         # of a change of speed, what a speed that counts as constant may change from row to row
 FINEST = 5e-4        # of resolutions that matter [m]
 SEEN = 0.01          # of the way between two rows, what of a ramp can be seen
+FINE = 1e-3          # half a band of a gauge by which the course need not be smoothed [m]
 TURNS = 5e-4         # speed of a block that moves [m/s]
 STANDS = 0.2         # of the speed before and behind: slower, the block stands where its gauge allows it
 LOWER_HALF = 0.3246  # mean size of the smaller half of normal numbers, in their standard deviations
-ROUNDED = 8.0        # a corner is rounded on each side over so many half bands by its change of speed [s]: by two half bands at most
+ROUNDED = 4.0        # a corner is rounded on each side over so many half bands by its change of speed [s]: by one half band at most
 
 
 class Course:
-    """Of rows [s], [m], true to half a `band` [m]. Straight between corners (a taut string), these rounded; cubics between the rows. Beyond the ends it stays."""
+    """Of rows [s], [m], true to half a `band` [m]. Straight between corners (a taut string), these rounded; where the band is FINE, cubics between the rows.
+    `acceleration`: the largest at a corner between rows [m/s2]. Beyond the ends it stays."""
 
-    def __init__(self, times, heights, band):
+    def __init__(self, times, heights, band, acceleration=numpy.inf):
+        acceleration = acceleration if band >= FINE else numpy.inf
         corners, at_corners = taut(times, heights - band, heights + band)
-        self.corners = times[corners]
-        at_corners = with_stops(self.corners, at_corners, band)
+        at_corners = with_stops(times[corners], at_corners, band)
+        self.corners, at_corners, steady = between_rows(times, corners, at_corners) if band >= FINE else (times[corners], at_corners, corners < 0)
+        self.straight = lambda at: numpy.interp(at, self.corners, at_corners)  # without rounded corners
         slopes = numpy.diff(at_corners) / numpy.diff(self.corners)
         self.before, self.after = numpy.concatenate(([0.0], slopes)), numpy.concatenate((slopes, slopes[-1:]))  # speeds at the corners, from rest [m/s]
         slow, fast = numpy.sort(numpy.abs([self.before, self.after]), axis=0)
         self.turns = self.corners[((self.before * self.after < 0.0) | (slow < STANDS * fast)) & (fast > TURNS)]  # where the block starts, stops or turns back
-        self.heights = rounded(times, self.corners, at_corners, band)  # at the rows [m]
-        self.knots = with_ramps(times, self.heights)
+        self.heights = rounded(times, self.corners, at_corners, band, acceleration)  # at the rows [m]
+        self.knots = with_ramps(times, self.heights) if band < FINE else with_corners(times, self.corners, at_corners, steady, band, acceleration)
 
     def __call__(self, at):
         return smooth(at, *self.knots)
@@ -39,10 +43,10 @@ def half_band(gauge, heights):
 
 
 def resolution(values):
-    """The step of which all changes of a gauge are multiples; 0 where there is none above FINEST [as the values]."""
-    steps = numpy.unique(numpy.abs(numpy.diff(values)))
-    steps = steps[steps > FINEST]
-    least = float(steps[0]) if len(steps) else 0.0
+    """The step of which all changes of a gauge are multiples; 0 where there is none above FINEST [as the values], and where all rows change by the same."""
+    every = numpy.unique(numpy.abs(numpy.diff(values)))
+    steps = every[every > FINEST]
+    least = float(steps[0]) if len(steps) and len(every) > 1 else 0.0
     while least > FINEST:  # Euclid's algorithm
         left = numpy.abs(steps - least * numpy.round(steps / least))
         left = left[left > 0.2 * FINEST]
@@ -85,6 +89,32 @@ def taut(times, low, high):
     return numpy.array(corners), numpy.array(heights)
 
 
+def between_rows(rows, corners, heights):
+    """Times and heights of a taut line's corners, and whether the speed is steady before and behind each. Where a steady speed goes over into another in one interval
+    between rows, in one sense, it changes once: where the two lines meet."""
+    at, slopes = rows[corners], numpy.diff(heights) / numpy.diff(rows[corners])
+    found, k = [(at[0], heights[0], False)], 1
+    while k < len(slopes):
+        before, after = slopes[k - 1], slopes[min(k + 1, len(slopes) - 1)]
+        if corners[k + 1] == corners[k] + 1 and (slopes[k] - before) * (after - slopes[k]) > 0.0 and between_steady(corners, slopes, k - 1, k + 1):
+            moved = at[k] + (at[k + 1] - at[k]) * (slopes[k] - after) / (before - after)
+            found.append((moved, heights[k] + before * (moved - at[k]), True))
+            k += 2
+            continue
+        found.append((at[k], heights[k], between_steady(corners, slopes, k - 1, k)))
+        k += 1
+    if k < len(at):
+        found.append((at[k], heights[k], False))
+    return tuple(map(numpy.array, zip(*found)))
+
+
+def between_steady(corners, slopes, before, after):
+    """Whether two lines of these speeds are longer than an interval between rows, or as steep as the next one."""
+    alike = STEADY * abs(slopes[after] - slopes[before])
+    return all(corners[k + 1] > corners[k] + 1 or (0 <= beside < len(slopes) and abs(slopes[beside] - slopes[k]) <= alike)
+               for k, beside in ((before, before - 1), (after, after + 1)))
+
+
 def with_stops(times, heights, band):
     """The heights of a taut line's corners, where a block that creeps through the band between faster moves is held still. Friction would act to one side
     of a block that creeps, and its gauge tells no creeping."""
@@ -102,13 +132,29 @@ def with_stops(times, heights, band):
     return heights
 
 
-def rounded(at, times, heights, band):
-    """Heights on straight lines between corners, each of which is a parabola near it."""
-    slopes = numpy.diff(heights) / numpy.diff(times)
+def reach_of(times, slopes, band, acceleration):
+    """Change of the speed at each corner [m/s], and by how much before and behind it is rounded [s]."""
     bends = numpy.diff(numpy.concatenate((slopes[:1], slopes, slopes[-1:])))
     sides = 0.5 * numpy.diff(times)
     room = numpy.minimum(numpy.concatenate((sides[:1], sides)), numpy.concatenate((sides, sides[-1:])))
-    reach = numpy.minimum(ROUNDED * band / numpy.maximum(numpy.abs(bends), 1e-12), room)
+    return bends, numpy.minimum(numpy.maximum(ROUNDED * band / numpy.maximum(numpy.abs(bends), 1e-12), 0.5 * numpy.abs(bends) / acceleration), room)
+
+
+def with_corners(rows, times, heights, steady, band, acceleration):
+    """Times and heights of rows, and of where the speed begins and ends to change at a corner between steady speeds; beside them the speed where it is known, else nan."""
+    slopes = numpy.diff(heights) / numpy.diff(times)
+    own = numpy.flatnonzero(steady)
+    reach = reach_of(times, slopes, band, acceleration)[1][own]
+    at = numpy.concatenate((times[own] - reach, times[own] + reach, times[own], rows))
+    mean = 0.5 * (slopes[own - 1] + slopes[own])
+    known = numpy.concatenate((slopes[own - 1], slopes[own], mean, numpy.full(len(rows), numpy.nan)))
+    at, first = numpy.unique(at, return_index=True)
+    return at, rounded(at, times, heights, band, acceleration), known[first]
+
+
+def rounded(at, times, heights, band, acceleration):
+    """Heights on straight lines between corners, each of which is a parabola near it."""
+    bends, reach = reach_of(times, numpy.diff(heights) / numpy.diff(times), band, acceleration)
     near = numpy.searchsorted(0.5 * (times[1:] + times[:-1]), at)
     beyond = numpy.maximum(reach[near] - numpy.abs(at - times[near]), 0.0)
     return numpy.interp(at, times, heights) + bends[near] * beyond**2 / (4.0 * numpy.maximum(reach[near], 1e-12))

@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A record's block, rotary speed and flow as a law for a simulated rig."""
 import numpy
-from drill_rig_sim.field.course import TURNS, Course, half_band
+from drill_rig_sim.field.course import FINE, TURNS, Course, half_band
 from drill_rig_sim.field.pipe import compared, height_without_pipe, standstills
 from drill_rig_sim.field.record import RecordError
 from drill_rig_sim.law import Commands, PipeWork
 
 PATIENCE = 1800.0  # longest that a connection may take [s]
-FINE = 1e-3        # half a band of a gauge by which the course need not be smoothed [m]
+TURNING = 0.1      # rotary speed of a string that turns [rad/s]
+CREEPS = 1e-6      # speed of a block that moves [m/s]: what rounding leaves of 0 is slower
 STANDS_BEFORE = 3  # rows before the first one, in which the block stands
 RINGING = 10.0     # how long the string rings after a change of speed [s],
 LOUD = 2.5         # and as long as this by all of it, in the mean square [s]
@@ -75,7 +76,8 @@ class Follow:
         return connections_of(record, self.stands, self.rig.joint_length, self.period)
 
     def step(self, readings):
-        self.begin = self.rig.drum_height - self.course[0] if self.begin is None else self.begin
+        if self.begin is None:  # a corner at the first row is rounded before it as well
+            self.begin = self.rig.drum_height - self.drum.straight(self.times[0])
         if self.connections and self.k >= self.connections[0].leave:
             waits = self.connect(readings, self.connections[0])
             if waits is not None:
@@ -99,7 +101,7 @@ class Follow:
         """The block's speed; `off`: of the drum, by which the record is further up [m]. Commanded at every step, changed or not: each ends a step of the simulation,
         and where these ends depended on the speeds, a fit's simulations would differ by more than their parameters do."""
         made_up = recorded + off / self.catch_up
-        return float(made_up if made_up * recorded > 0.0 else 0.0)
+        return float(made_up if abs(recorded) > CREEPS and made_up * recorded > 0.0 else 0.0)
 
     def connect(self, readings, connection):
         """Commands while the rig adds pipe or takes it away and brings the bit to where it then is in the record; None once that is done."""
@@ -111,6 +113,8 @@ class Follow:
             raise RecordError("%s: at %.1f s the scene's rig refuses the connection of the record: %s" % (self.name, self.times[self.k], self.refused))
         if not self.work.done:
             commands = self.work.step(readings)
+            if commands.slips:  # the joints of the scene may lie elsewhere than the rig's
+                commands.slips = {"connection": connection.doing}
             commands.flow, commands.top_drive = 0.0, {"mode": "SPEED", "speed": 0.0}
             return commands
         before, self.off = self.off, readings.bit_depth - self.depth
@@ -122,19 +126,32 @@ class Follow:
         """Where the bit belongs after a connection [m]; `readings`: before it."""
         return readings.bit_depth + self.way[connection.leave] - self.way[connection.back]
 
+    def standing(self, record):
+        """How long after each corner of the drum's course the string neither moves nor turns nor hangs in the slips [s]."""
+        ends = [self.drum.corners[numpy.abs(self.drum.after) > TURNS], record.time[[still.begin for still in self.stands]], record.time[-1:]]
+        if "top_drive_speed" in record:
+            ends.append(record.time[numpy.abs(record.at("top_drive_speed", record.time)) > TURNING])
+        ends = numpy.sort(numpy.concatenate(ends))
+        corners = numpy.minimum(self.drum.corners, record.time[-1])
+        return ends[numpy.searchsorted(ends, corners)] - corners
+
     def unresolved(self, record, times, loads):
         """Of the hook load, what the sampling of the record leaves unknown, root mean square and largest [N]. Where the speed changes, half of the change is unknown
-        for a while: it goes into the string as a wave, and accelerates the block. When the drum starts, stops and turns back is unknown by half a row, and
+        for a while: it goes into the string as a wave, and accelerates the block. Friction keeps what the wave of a stop leaves until the string moves or turns. When the drum starts, stops and turns back is unknown by half a row, and
         with it half of what the recorded load changed in that row; at most by a whole row: the load may be any within that. `loads`: simulated, at `times` [s]."""
         drum, gaps = self.drum, numpy.diff(self.drum.corners)
         nearest = numpy.minimum(numpy.concatenate((gaps[:1], gaps)), numpy.concatenate((gaps, gaps[-1:])))
         waves = 0.5 * numpy.abs(drum.after - drum.before) * (self.rig.wave_impedance + self.rig.block_mass / nearest)
         squares, most = (waves**2 * numpy.clip(nearest, LOUD, RINGING)).sum() / record.time[-1], waves.max()
+        kept = 0.5 * numpy.abs(drum.before) * self.rig.wave_impedance * (numpy.abs(drum.after) <= TURNS)
+        squares += (kept**2 * numpy.maximum(self.standing(record) - numpy.clip(nearest, LOUD, RINGING), 0.0)).sum() / record.time[-1]
         if "hook_load" in record:
             recorded = compared(record, ["hook_load"], self.stands)["hook_load"]
             changes, known = 0.5 * numpy.abs(numpy.diff(recorded)), numpy.isfinite(recorded)
             turns = (drum.before * drum.after <= 0.0) & (numpy.abs(drum.after - drum.before) > TURNS)
-            unknown = changes[numpy.isin(record.time[:-1], numpy.maximum(drum.corners[turns], record.time[0])) & numpy.isfinite(changes)]
+            intervals = numpy.clip(numpy.searchsorted(record.time, drum.corners[turns], side="right") - 1, 0, len(changes) - 1)
+            unknown = changes[numpy.unique(intervals)]
+            unknown = unknown[numpy.isfinite(unknown)]
             squares += (unknown**2).sum() / 3.0 / len(record.time)  # uniformly distributed
             most = max(most, *unknown, *(span(record.time, k, 1.0, times, loads) for k in rows_near(record.time, drum.turns) if known[k]), 0.0)
         return float(numpy.sqrt(squares)), float(most)
@@ -177,17 +194,15 @@ def drum_course(record, stands, heights, rig):
     for still in stands:
         hung[still.begin:still.end + 1] = False
     if "hook_load" not in record or not hung.any():
-        return from_rest(record.time, heights, half_band(gauge, heights))
+        return from_rest(record.time, heights, half_band(gauge, heights), rig.block_acceleration)
     loads = numpy.interp(record.time, record.time[hung], numpy.maximum(record.at("hook_load", record.time[hung]), 0.0))
     band = half_band(gauge, gauge)
     block = gauge if band < FINE else Course(record.time, gauge, band).heights
     heights = heights + rig.drum_heights(block, loads) - block
-    return from_rest(record.time, heights, half_band(gauge, heights))
+    return from_rest(record.time, heights, half_band(gauge, heights), rig.block_acceleration)
 
 
-def from_rest(times, heights, band):
-    """A course whose block stands before the first row, as the rig does that follows it, where the gauge is fine enough to show how it starts."""
-    if band >= FINE:
-        return Course(times, heights, band)
+def from_rest(times, heights, band, acceleration):
+    """A course whose block stands before the first row, as the rig does that follows it."""
     before = times[0] - (times[1] - times[0]) * numpy.arange(STANDS_BEFORE, 0, -1)
-    return Course(numpy.concatenate((before, times)), numpy.concatenate((numpy.full(STANDS_BEFORE, heights[0]), heights)), band)
+    return Course(numpy.concatenate((before, times)), numpy.concatenate((numpy.full(STANDS_BEFORE, heights[0]), heights)), band, acceleration)
