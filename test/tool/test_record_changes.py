@@ -6,7 +6,7 @@ import unittest
 import numpy
 from drill_rig_sim.field.record import read_record
 from drill_rig_sim.field.unit_change import unit_changes
-from record_folder import FEET, KLBF, Folder
+from record_folder import FEET, KLBF, ROWS as RIGHT, Folder
 
 ROWS, CHANGES = 120, 70
 TIME = 5.0 * numpy.arange(ROWS)
@@ -133,6 +133,44 @@ class Indices(Folder):
         self.assertNotIn("STRT", "\n".join(self.read(las % ("S", "0.0"), name="r.las").remarks))
         self.assertIn("STRT is 100, TIME of the first row 0", "\n".join(self.read(las % ("S", "100"), name="r.las").remarks))
         self.assertIn("that of STRT is M: S is used", "\n".join(self.read(las % ("M", "0"), name="r.las").remarks))
+
+
+class UnitsInCells(Folder):
+    def table(self, head, cells):
+        return "\n".join([head, *(cells % row for row in RIGHT)]) + "\n"
+
+    def test_what_is_read(self):
+        for head, cells in (("Time,Hook Load,Block Height", "%d s,%.1f klbf,%.1f ft"), ("Time (s),Hook Load,Block Height", "%d,%.1fklbf,%.1fft"),
+                            (HEAD, "%d,%.1f klbf,%.1f"), ("Time;Hook Load;Block Height", '%d s;%.1f klb;%.1f\'')):
+            with self.subTest(cells):
+                self.right(self.read(self.table(head, cells)), ["Hook Load", "its cells hold their unit (first: "])
+
+    def test_some_cells_beside_a_unit_in_the_header(self):
+        text = self.table(HEAD, "%d,%.1f,%.1f").replace("201.0", "201.0 klbf")
+        self.right(self.read(text))
+
+    def test_what_is_refused(self):
+        bare = self.table("Time (s),Hook Load,Block Height (ft)", "%d,%.1f klbf,%.1f")
+        for text, said in ((self.table(HEAD, "%d,%.1f kN,%.1f"), "r.csv:2: Hook Load (klbf): 200.0 kN is in another unit than the header says (klbf)"),
+                           (bare.replace("203.0 klbf", "203.0 kN"), "r.csv:5: Hook Load: 203.0 kN is in another unit than the cells before (klbf)"),
+                           (bare.replace("203.0 klbf", "203.0"), "r.csv:5: Hook Load: 203.0 has no unit, others of this column have one")):
+            self.refused(said, text)
+        self.assertIn("unit psi is not known for a force", "\n".join(self.read(self.table("Time (s),Hook Load,Block Height (ft)", "%d,%.1f psi,%.1f")).remarks))
+
+
+class ElapsedTimes(Folder):
+    def test_what_is_read(self):
+        for head, times in (("Time (hh:mm:ss)", ("25:00:05", "25:00:10", "25:00:15", "25:00:20")), ("Elapsed", ("0:59:50", "0:59:55", "1:00:00", "1:00:05")),
+                            ("Elapsed Time", ("1 day 00:00:00", "1 day 00:00:05", "1 day 00:00:10", "1d 00:00:15")), ("Time (mm:ss)", ("59:50", "59:55", "60:00", "60:05"))):
+            with self.subTest(head):
+                rows = "\n".join("%s,%.1f,%.1f" % (time, *row[1:]) for time, row in zip(times, RIGHT))
+                record = self.read("%s,Hook Load (klbf),Block Height (ft)\n%s\n" % (head, rows))
+                self.assertEqual([0.0, 5.0, 10.0, 15.0], list(record.time))
+                self.assertIn("is read as elapsed time (first: ", "\n".join(record.remarks))
+
+    def test_times_of_the_day_need_a_date(self):
+        rows = "".join("10:00:%02d,%.1f,%.1f\n" % row for row in RIGHT)
+        self.refused("r.csv:2: Time: 10:00:00 is not a date", "Time,Hook Load (klbf),Block Height (ft)\n" + rows)
 
 
 if __name__ == "__main__":

@@ -28,6 +28,8 @@ UNMISTAKABLE = [re.compile(date + REST, re.IGNORECASE) for date in (
 UNMISTAKABLE += [re.compile(r"(?P<year>(?:19|20)\d\d)(?P<month>\d\d)(?P<day>\d\d)[T ](?P<hour>\d\d)(?P<minute>\d\d)(?P<second>\d\d)(?:[.,](?P<fraction>\d+))?(?P<half>)"
                             r"(?P<zone>" + ZONE + ")?$", re.IGNORECASE)]
 MONTHS = "jan feb mar apr may jun jul aug sep oct nov dec".split()
+ELAPSED = re.compile(r"(?:(\d+)\s*(?:d|days?)[,\s]*)?(\d+):([0-5]?\d):([0-5]?\d(?:[.,]\d+)?)$", re.IGNORECASE)
+TWO_PARTS = re.compile(r"(\d+):([0-5]\d(?:[.,]\d+)?)$")
 OF_DAY = re.compile(CLOCK + r"\s*([AP]M)?$", re.IGNORECASE)
 TOUCHING = re.compile(r"%[a-zA-Z]%[a-zA-Z]")
 GUESSED = [date + " " + clock for date, clock in itertools.product(
@@ -142,6 +144,29 @@ def zone_said(names):
 def without_zone(name):
     """The name of a column without a time zone in it."""
     return ZONE_IN_NAME.sub("", name).strip(" _-/,") if ZONE_IN_NAME.search(name) else name
+
+
+def elapsed_of(cells, header):
+    """Seconds of cells such as 25:00:05 or `1 day 00:00:05`, nan where one is empty; None where they are no elapsed times: other texts, and times of the day, whose
+    hours stay below 24 and whose header does not say that they are elapsed. `header`: names and unit of the column. Two numbers need mm:ss or hh:mm there."""
+    word = re.sub("[^a-z]", "", header.lower())
+    two = next((size for name, size in (("hhmmss", 0.0), ("mmss", 60.0), ("minsec", 60.0), ("hhmm", 3600.0)) if name in word), 0.0)
+    found, sure = [], word.startswith("etim") or any(name in word for name in ("elapsed", "duration", "runtime"))
+    for cell in cells:
+        match = ELAPSED.match(cell) if cell else None
+        parts = match or (TWO_PARTS.match(cell) if two and cell else None)
+        if cell and parts is None:
+            return None
+        if not cell:
+            found.append(float("nan"))
+        elif match:
+            days, hours, minutes, seconds = (float((part or "0").replace(",", ".")) for part in match.groups())
+            sure = sure or hours >= 24 or match[1] is not None
+            found.append(86400.0 * days + 3600.0 * hours + 60.0 * minutes + seconds)
+        else:
+            sure = sure or two == 60.0 or float(parts[1]) >= 24
+            found.append(two * float(parts[1]) + two / 60.0 * float(parts[2].replace(",", ".")))
+    return found if sure and any(cells) else None
 
 
 def is_time_of_day(text):

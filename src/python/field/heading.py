@@ -5,7 +5,7 @@ import re
 import typing
 
 from drill_rig_sim.field.cells import is_number
-from drill_rig_sim.field.units import is_unit
+from drill_rig_sim.field.units import is_unit, parts_of
 
 MOST_TITLE, MOST_LINES = 50, 10000  # lines before the names of the columns, and with comments
 MOST_NAMES = 3                      # lines over which the names of the columns go
@@ -99,8 +99,8 @@ def aligned(lines):
 
 
 def holds_data(row):
-    """Whether one of the cells is a number, a date or a time of the day."""
-    return any(DATA.match(cell.strip()) for cell in row)
+    """Whether one of the cells is a number, with a unit or without, a date or a time of the day."""
+    return any(DATA.match(cell.strip()) or parts_of(cell) for cell in row)
 
 
 def are_places(row):

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The cells of a Table as signals in SI: which column holds which signal, in which unit, which cells are no measurements."""
 import numpy
+from drill_rig_sim.field.cell_units import take_units
 from drill_rig_sim.field.cells import is_blank, is_foreign_number, is_number
 from drill_rig_sim.field.column_finder import columns_of, form_of_header, zones_in
-from drill_rig_sim.field.dates import form_in, forms_for, offset_of, own_offset, seconds_of, zone_said
+from drill_rig_sim.field.dates import elapsed_of, form_in, forms_for, offset_of, own_offset, seconds_of, zone_said
 from drill_rig_sim.field.signals import SIGNALS, word
 from drill_rig_sim.field.table import RecordError
 from drill_rig_sim.field.units import UnitError, factor_of, is_unit
@@ -30,6 +31,7 @@ class Part:
 
 def part_of(table, columns=None):
     """A Part of a table; `columns`: a ColumnMap, None where all columns are known by their names."""
+    take_units(table)
     remarks = list(table.remarks)
     mapped, nulls = (columns.columns, columns.nulls) if columns else ({}, ())
     wanted = columns_of(table, mapped, remarks)
@@ -66,6 +68,10 @@ def times_of(table, column, mapped, remarks):
     """(seconds by row, nan where there is none; whether they are dates; the offset of the header's time zone [s])."""
     places = [table.column(name) for name in column.names]
     cells = [" ".join("" if is_null(row[place]) else row[place].strip() for place in places).strip() for row in table.rows]
+    elapsed = elapsed_of(cells, " ".join([*column.names, table.units[places[0]] or ""])) if len(places) == 1 and not column.unit and not column.form else None
+    if elapsed is not None:
+        remarks.append("%s: is read as elapsed time (first: %s: %s)" % (column.names[0], *next((table.place(k), cell) for k, cell in enumerate(cells) if cell)))
+        return numpy.array(elapsed), False, 0.0
     if is_date(table, places, column, cells):
         time, zoned = dates_of(table, cells, column, form_of_header(table, places))
         offsets = numpy.zeros(len(time)) if zoned else offsets_by_row(table, places, remarks)
@@ -224,7 +230,8 @@ def factor_for(table, signal, name, unit):
     try:
         return factor_of(SIGNALS[signal][0], unit)
     except UnitError as error:
-        raise RecordError("%s: %s: %s" % (table.file, name, error))
+        cell = table.unit_cells.get(table.column(name))
+        raise RecordError("%s: %s: %s%s" % (table.file, name, error, " (first: %s)" % cell if cell else ""))
 
 
 def numbers_or_refuse(table, name, cells, nulls, needed, remarks):

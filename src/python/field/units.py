@@ -1,12 +1,16 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Units of records, to SI: those of the one table of units (math/unit_table.h), and dates."""
 import functools
+import re
 
+from drill_rig_sim.field.cells import is_number, with_point
 from drill_rig_sim.refusal import Refusal
 
 QUANTITIES = ("length", "speed", "force", "torque", "pressure", "angular speed", "flow", "time")  # of signals
 DATE = "date"  # the cells are dates with a time of the day, not numbers
 DATES = ("date", "datetime", "date time", "date.time", "iso 8601")
+
+WITH_UNIT = re.compile(r"([+-]?[\d.,]*\d[.,]?(?:[eE][+-]?\d+)?)\s*([A-Za-z%\u00b0\"'\u2032\u2033][^\s]*(?: [^\s\d]+)?)$")
 
 
 class UnitError(Exception):
@@ -43,6 +47,16 @@ def is_unit(text, *quantities):
         except UnitError:
             pass
     return False
+
+
+def parts_of(cell):
+    """(number, unit) of a cell that holds both; None of any other."""
+    found = WITH_UNIT.match(cell.strip())
+    if found is None or is_number(cell):
+        return None
+    number, unit = found.groups()
+    number = with_point(number, "." if "." in number else None)
+    return (number, unit) if is_number(number) and is_unit(unit) else None
 
 
 def same_unit(one, other):
