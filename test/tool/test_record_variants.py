@@ -263,7 +263,8 @@ class Tables(Folder):
     def test_zeros_of_a_gauge_that_is_lost_for_a_moment(self):
         lost = self.read(cell("0"))
         self.assertEqual([1], [k for k, load in enumerate(lost.signals["hook_load"]) if load != load])
-        self.assertIn("Hook Load (klbs): 1 zeros between similar values are treated as null values (first: ", "\n".join(lost.remarks))
+        self.assertEqual([1], [k for k, load in enumerate(self.read(cell("-1")).signals["hook_load"]) if load != load])
+        self.assertIn("Hook Load (klbs): 1 zeros or negative values between similar values are treated as null values (first: ", "\n".join(lost.remarks))
         depths = self.read("Time (s),HKLD (klbf),Bit Depth (m)\n" + "".join("%d,200,%g\n" % (k, 0 if 3 <= k <= 5 else 1500 + 0.1 * k) for k in range(10)))
         self.assertEqual([3, 4, 5], [k for k, depth in enumerate(depths.signals["bit_depth"]) if depth != depth])
         for loads in ((200, 0, 0, 0, 0, 200), (0, 0, 200, 200, 0, 0), (200, 0, 100, 100, 0, 200), (2, 0, 2, 200, 200, 200)):  # in the slips, at an end, between others, small

@@ -273,9 +273,9 @@ def leave_out_likely_nulls(table, name, raw, remarks):
 
 
 def leave_out_drop_outs(table, name, raw, remarks):
-    """Of a few zeros in a row between two values that are alike and far from zero: a gauge that was lost for a moment; reported."""
+    """Of a few zeros or negative values in a row between two values that are alike and far from zero: a gauge that was lost for a moment; reported."""
     known = numpy.flatnonzero(numpy.isfinite(raw))
-    filled = known[raw[known] != 0.0]
+    filled = known[raw[known] > 0.0]
     if not len(filled):
         return
     before, after = filled[:-1], filled[1:]
@@ -284,7 +284,7 @@ def leave_out_drop_outs(table, name, raw, remarks):
     alike = (numpy.abs(raw[after] - raw[before]) <= ALIKE * sizes[:-1]) & (sizes[:-1] >= FAR * largest)
     odd = [k for place in numpy.flatnonzero((zeros > 0) & (zeros <= MOST_ZEROS) & alike) for k in known[(known > before[place]) & (known < after[place])]]
     if odd:
-        remarks.append("%s: %d zeros between similar values are treated as null values (first: %s)" % (name, len(odd), table.place(odd[0])))
+        remarks.append("%s: %d zeros or negative values between similar values are treated as null values (first: %s)" % (name, len(odd), table.place(odd[0])))
         raw[odd] = numpy.nan
 
 
