@@ -122,6 +122,14 @@ class Made(unittest.TestCase):
         steps = [(8, 0.1 + 0.237 * (k % 2), 0.0, 0.0, 9e5) for k in range(10)]  # a speed that changes all the time
         self.assertEqual(2, self.found(steps)[0])
 
+    def test_an_uneven_load_is_reported(self):
+        def ringing(rows):
+            return [[*row[:4], "%g" % (float(row[4]) + (2e4 if float(row[4]) == 7e5 else 1e3) * (-1)**k), *row[5:]] for k, row in enumerate(rows)]
+        parts = [self.STOP, self.UP, self.STOP, self.TURN, self.STOP, self.DOWN, self.STOP, self.TURN]
+        said = "the load of 1 moves varies more than 3 times as much as usual (first: slack_off at "
+        self.assertIn(said, self.changed(parts, ringing)[1])
+        self.assertNotIn("varies more", self.found(parts)[1])
+
     def changed(self, parts, change, **more):
         """(motions and loads, what was reported) of rows written by hand that `change` makes of them (a list of lists of cells)."""
         file, table = self.written(parts, **more)

@@ -13,6 +13,7 @@ if importlib.util.find_spec("scipy") is None:
     sys.exit(77)
 from drill_rig_sim.campaign.plan_text import PlanError, plan_of
 from drill_rig_sim.field.fit_plan import RecordError, weights_of
+from drill_rig_sim.field.models import places_of
 
 ROWS = ((600.0, 87.5, 83.0), (900.0, 104.25, 94.5), (1200.0, 122.0, 104.0))
 PLAIN = "MD,PU,SO\n" + "".join("%g,%g,%g\n" % row for row in ROWS)
@@ -41,6 +42,12 @@ class Weights(Folder):
         self.assertAlmostEqual(600.0 * FEET, self.weights(PLAIN, FIT.replace("unit: m", "unit: ft"))[0][0])
         self.assertEqual(1, len(self.weights("".join(PLAIN.splitlines(True)[:2]))[0]))
         self.assertEqual(4, len(self.weights(PLAIN + "600,87.5,83\n")[0]))
+
+    def test_each_weight_holds_out_its_own_deepest_rows(self):
+        depths, nothing = numpy.array([400.0, 100.0, 300.0, 200.0]), numpy.nan
+        for weights, places in (([4.0, 1.0, 3.0, 2.0], [0.875, 0.0, 0.625, 0.375]), ([4.0, nothing, nothing, 2.0], [0.75, nothing, nothing, 0.0]),
+                                ([4.0, nothing, nothing, nothing], [0.0, nothing, nothing, nothing]), ([nothing] * 4, [nothing] * 4)):
+            numpy.testing.assert_equal(places_of(depths, numpy.array(weights)), places)
 
     def test_what_is_reported(self):
         for cell, fit in (("", FIT), ("-999.25", FIT), ("N/A", FIT), ("0", FIT[:-1] + ", null: 0}")):

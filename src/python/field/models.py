@@ -127,8 +127,7 @@ class TableModel:
         self.signals = numpy.array([MOTIONS[motion][0] for motion in self.groups])
         self.kinds = numpy.where(numpy.char.startswith(self.groups.astype(str), "slips"), "empty block", self.signals)  # it knows no friction of the string
         self.axis = "depth", numpy.tile(depths, len(self.motions))
-        order = (numpy.argsort(numpy.argsort(depths)) + 0.5) / len(depths)
-        self.place = numpy.tile(order, len(self.motions))
+        self.place = numpy.concatenate([places_of(depths, weights[motion]) for motion in self.motions])
 
     def tasks(self, points):
         depths = self.axis[1]
@@ -138,6 +137,14 @@ class TableModel:
         found = numpy.full((points, len(self.observed)), numpy.nan)
         found[:, self.weighed] = numpy.reshape(answers, (points, -1))
         return found
+
+
+def places_of(depths, weights):
+    """Of each weight in the order of the depths, 0 to 1: the shallowest one is at 0. nan where there is none."""
+    there = numpy.flatnonzero(numpy.isfinite(weights))
+    found = numpy.full(len(depths), numpy.nan)
+    found[there[numpy.argsort(depths[there], kind="stable")]] = numpy.concatenate(([0.0], (numpy.arange(1, len(there)) + 0.5) / max(len(there), 1)))[:len(there)]
+    return found
 
 
 def hung(task):

@@ -21,6 +21,7 @@ EMPTY_SETTLES = 2.0  # the same of the empty block [s]
 CALM = 0.1           # share by which the load of the empty block may differ
 SHORTEST = 5.0       # of a move that is averaged [s]
 LEAST_ROWS = 4
+VARIES = 3.0, 0.01   # of a load that is reported as uneven: so many times the usual deviation, and this share of the load
 UNKNOWN = "rotating_unknown"  # after a gap that hides the last way of the block
 STILL_BLOCK = 0.02    # change of height through a gap in which the block stood [m]
 CLEAR = 0.5           # way of the block through a gap that shows how it came to where it is [m]
@@ -83,7 +84,17 @@ def moves_of(record, passed=None):
     lines = ["%s: %d moves are left out: in a gap before them the block moved by an unknown way (first: rotating at %.1f s)" %
              (record.name, len(left_out), left_out[0].from_time)] if left_out else []
     moves, odd = plausible(record, known)
-    return moves, lines + odd
+    return moves, lines + odd + uneven(record, moves)
+
+
+def uneven(record, moves):
+    """A line on moves whose load varies much more than in the others: a string that rings or sticks and slips, of which rows apart show a few instants."""
+    if not moves:
+        return []
+    usual = numpy.median([move.deviation for move in moves])
+    some = [move for move in moves if move.deviation > max(VARIES[0] * usual, VARIES[1] * move.load)]
+    return ["%s: the load of %d moves varies more than %g times as much as usual (first: %s at %.1f s: %.1f kN); their weights are uncertain by as much" %
+            (record.name, len(some), VARIES[0], some[0].motion, some[0].from_time, 1e-3 * some[0].deviation)] if some else []
 
 
 def why_missing(record, signal):

@@ -206,9 +206,10 @@ def values_of(table, signal, column, nulls, mapped, remarks):
         return None
     raw = numbers_or_refuse(table, name, [row[place] for row in table.rows], (*NULLS, *table.nulls[place], *nulls, *column.nulls), "a number", remarks)
     leave_out_likely_nulls(table, name, raw, remarks)
+    values = in_range(table, signal, name, unit, raw, factor, remarks)
     if signal in NEVER_ZERO:
-        leave_out_drop_outs(table, name, raw, remarks)
-    return in_range(table, signal, name, unit, raw, factor, remarks)
+        leave_out_drop_outs(table, name, values, remarks)
+    return values
 
 
 def unit_of(table, place, column, signal):
@@ -272,20 +273,20 @@ def leave_out_likely_nulls(table, name, raw, remarks):
         raw[odd] = numpy.nan
 
 
-def leave_out_drop_outs(table, name, raw, remarks):
+def leave_out_drop_outs(table, name, values, remarks):
     """Of a few zeros or negative values in a row between two values that are alike and far from zero: a gauge that was lost for a moment; reported."""
-    known = numpy.flatnonzero(numpy.isfinite(raw))
-    filled = known[raw[known] > 0.0]
+    known = numpy.flatnonzero(numpy.isfinite(values))
+    filled = known[values[known] > 0.0]
     if not len(filled):
         return
     before, after = filled[:-1], filled[1:]
     zeros = numpy.searchsorted(known, after) - numpy.searchsorted(known, before) - 1
-    sizes, largest = numpy.abs(raw[filled]), numpy.abs(raw[filled]).max()
-    alike = (numpy.abs(raw[after] - raw[before]) <= ALIKE * sizes[:-1]) & (sizes[:-1] >= FAR * largest)
+    sizes, largest = numpy.abs(values[filled]), numpy.abs(values[filled]).max()
+    alike = (numpy.abs(values[after] - values[before]) <= ALIKE * sizes[:-1]) & (sizes[:-1] >= FAR * largest)
     odd = [k for place in numpy.flatnonzero((zeros > 0) & (zeros <= MOST_ZEROS) & alike) for k in known[(known > before[place]) & (known < after[place])]]
     if odd:
         remarks.append("%s: %d zeros or negative values between similar values are treated as null values (first: %s)" % (name, len(odd), table.place(odd[0])))
-        raw[odd] = numpy.nan
+        values[odd] = numpy.nan
 
 
 def in_range(table, signal, name, unit, raw, factor, remarks):
