@@ -8,6 +8,7 @@
 #include <complex>
 
 #include "drill_rig_sim/math/units.h"
+#include "drill_rig_sim/model/state.h"
 #include "drill_rig_sim/scene/read_scene.h"
 #include "drill_rig_sim/sim/simulator.h"
 #include "in_source.h"
