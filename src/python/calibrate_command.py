@@ -146,7 +146,7 @@ def calibrate(options):
     progress = Progress()
     evaluator = Evaluator(plan.model, options.workers, options.scheduler, progress)
     problem = Problem(plan.parameters, evaluator, plan.model.observed, plan.model.signals, plan.fitted, progress.expect,
-                      evaluator.replicas if isinstance(plan.model, RecordModel) else None, plan.model.kinds)
+                      evaluator.replicas if isinstance(plan.model, RecordModel) else None, plan.model.kinds, plan.model.errors)
     try:
         if fitted:
             apply_and_tell(options, plan, problem, fitted, evaluator.why)

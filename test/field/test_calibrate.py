@@ -63,6 +63,22 @@ class Least(unittest.TestCase):
         self.assertTrue((within >= 182).all() and (within <= 198).all(), within)  # of 190, within 2.6 deviations
         self.assertLess(abs(numpy.mean(scatter, axis=0) / (0.1, 0.3) - 1.0).max(), 0.02)
 
+    def test_numbers_of_known_error_count_for_less(self):
+        chance, within, off, scatter = numpy.random.default_rng(5), numpy.zeros(3), [], []
+        errors = numpy.where(numpy.arange(400) % 3 == 0, 1.0, 0.0)
+        for _ in range(100):
+            problem = self.problem(chance.normal(size=400))
+            problem.observed += errors * chance.normal(size=400)
+            plain = fit(problem)
+            known = fit(Problem(problem.parameters, self.model, problem.observed, problem.signals, numpy.ones(400, bool), errors=errors))
+            within += abs(known.values - self.TRUTH) < known.half_widths
+            off.append([abs(found.values - self.TRUTH) for found in (known, plain)])
+            scatter.append([known.scatter["u"], known.scatter["v"]])
+        self.assertTrue((within >= 89).all(), within)  # of 95, within 2.7 deviations
+        better, worse = numpy.sqrt(numpy.mean(numpy.square(off), axis=0))
+        self.assertTrue((better < 0.6 * worse).all(), (better, worse))
+        self.assertLess(abs(numpy.mean(scatter, axis=0) / (0.1, 0.3) - 1.0).max(), 0.05)
+
     def test_residuals_that_hang_together_count_for_fewer(self):
         chance = numpy.random.default_rng(2)
         series = chance.normal(size=20000)

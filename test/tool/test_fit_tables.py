@@ -24,7 +24,7 @@ NO_UNITS = FIT.replace(", unit: m", "").replace(", unit: klbf", "")
 class Weights(Folder):
     def weights(self, text, fit=FIT, encoding="utf-8"):
         self.file("t.csv", text, encoding)
-        return weights_of(plan_of(self.file("f.yaml", fit)), self.folder)
+        return weights_of(plan_of(self.file("f.yaml", fit)), self.folder)[:3]
 
     def test_what_is_read(self):
         comma = PLAIN.replace(",", ";").replace(".", ",")
@@ -42,6 +42,13 @@ class Weights(Folder):
         self.assertAlmostEqual(600.0 * FEET, self.weights(PLAIN, FIT.replace("unit: m", "unit: ft"))[0][0])
         self.assertEqual(1, len(self.weights("".join(PLAIN.splitlines(True)[:2]))[0]))
         self.assertEqual(4, len(self.weights(PLAIN + "600,87.5,83\n")[0]))
+
+    def test_errors_of_weights_that_drill_weights_has_found(self):
+        self.file("t.csv", "motion,rows,deviation (N),depth (m),pick_up (N),slack_off (N)\npick_up,8,1000,900,400e3,\nslack_off,2,3000,890,,350e3\n")
+        fit = plan_of(self.file("f.yaml", "{file: t.csv}"))
+        numpy.testing.assert_allclose(weights_of(fit, self.folder)[3], [500.0, 3000.0])  # 1000/sqrt(8/2), 3000/sqrt(2/2)
+        self.file("t.csv", PLAIN.replace("MD,PU,SO", "depth (m),pick_up (klbf),slack_off (klbf)"))
+        numpy.testing.assert_array_equal(weights_of(fit, self.folder)[3], numpy.zeros(3))
 
     def test_each_weight_holds_out_its_own_deepest_rows(self):
         depths, nothing = numpy.array([400.0, 100.0, 300.0, 200.0]), numpy.nan

@@ -11,6 +11,7 @@ ITERATIONS, LATER = 3, 4  # of the first round, as a rule, and points of a later
 REPLICAS = 12          # of the model's inputs with noise added
 FEW = 8                # numbers of a signal that tell their scatter
 FEWEST = 4             # of them that tell a variance
+HALVINGS = 30          # in search of a scatter
 
 
 class FitError(Exception):
@@ -48,9 +49,11 @@ class Problem:
     predictions without offsets. `replicas(parameter list, count)`: as many predictions from inputs to which noise as large as their own was added; None where the inputs
     are exact."""
 
-    def __init__(self, parameters, model, observed, signals, fitted, tell=lambda points, expected: None, replicas=None, kinds=None):
+    def __init__(self, parameters, model, observed, signals, fitted, tell=lambda points, expected: None, replicas=None, kinds=None,
+                 errors=0.0):
         """`tell`: is given how many points have been tried and about how many it takes in all, whenever there are more. `kinds`: of each number, whose scatter is one;
-        None: the signals."""
+        None: the signals. `errors`: standard deviation of each number that is known, beside that scatter: of a mean of few rows that vary much."""
+        self.errors = numpy.broadcast_to(errors, numpy.shape(observed))
         self.replicas, self.kinds = replicas, numpy.asarray(signals if kinds is None else kinds)
         self.parameters, self.model, self.observed, self.tell = parameters, model, numpy.asarray(observed, dtype=float), tell
         self.signals, self.rows = numpy.asarray(signals), numpy.asarray(fitted) & numpy.isfinite(self.observed)
@@ -106,7 +109,7 @@ class Problem:
         self.tell(self.runs, points)
 
     def weights(self):
-        return 1.0 / numpy.array([self.scatter[name] for name in self.kinds[self.rows]])
+        return 1.0 / numpy.hypot([self.scatter[name] for name in self.kinds[self.rows]], self.errors[self.rows])
 
     def residuals(self, x):
         off = (self.predict(x) - self.observed)[self.rows]
@@ -123,7 +126,7 @@ def fit(problem, level=0.95):
     from scipy.stats import t as student_t  # what an earlier fit found is applied without SciPy
     parameters, names = problem.parameters, sorted(set(problem.kinds[problem.rows]))
     x = numpy.array([parameter.start for parameter in parameters], dtype=float)
-    rounds = ROUNDS if len(names) > 1 else 1  # one scatter moves no minimum
+    rounds = ROUNDS if len(names) > 1 or problem.errors.any() else 1  # one scatter alone moves no minimum
     problem.plan_points(rounds - 1, True)
     if not numpy.isfinite(problem.predict(x)[problem.rows]).any():
         raise FitError("nothing can be predicted at the parameters' start values")
@@ -138,12 +141,15 @@ def fit(problem, level=0.95):
             break
     matrix = problem.slopes(x)
     information = numpy.zeros((len(x), len(x)))
+    shares = numpy.full(len(off), numpy.nan)
+    shares[problem.rows] = problem.weights()
     independent = 0.0
     for name in names:
         rows = problem.rows & (problem.kinds == name) & numpy.isfinite(off)
-        apart = hang_together(off[rows])
+        apart = hang_together((off * shares)[rows])
         independent += rows.sum() / apart
-        information += matrix[rows].T @ matrix[rows] / (problem.scatter[name]**2 * apart)
+        weighted = matrix[rows] * shares[rows][:, None]
+        information += weighted.T @ weighted / apart
     freedom = max(independent - len(x), 1.0)
     covariance = inverse(information) * independent / freedom + spread_by_inputs(problem, x, matrix)
     return Fit(x, covariance, float(student_t.ppf(0.5 + 0.5 * level, freedom)), problem.predict(x), dict(problem.scatter), problem.runs,
@@ -151,16 +157,31 @@ def fit(problem, level=0.95):
 
 
 def scatters(problem, off):
-    """Of each kind the root mean square of what is left. A few numbers may be fitted exactly, which tells nothing of their scatter: they get the share of their size
+    """Of each kind the root mean square of what is left beyond the known errors. A few numbers may be fitted exactly, which tells nothing of their scatter: they get the share of their size
     that is left of the other kinds."""
     left, sizes, counts = {}, {}, {}
     for name in problem.scatter:
         rows = problem.rows & (problem.kinds == name) & numpy.isfinite(off)
         counts[name] = int(rows.sum())
-        left[name], sizes[name] = (float(numpy.sqrt(numpy.mean(values[rows]**2))) if counts[name] else 0.0 for values in (off, problem.observed))
+        left[name] = scatter_beyond(off[rows], problem.errors[rows]) if counts[name] else 0.0
+        sizes[name] = float(numpy.sqrt(numpy.mean(problem.observed[rows]**2))) if counts[name] else 0.0
     enough = [name for name in left if counts[name] >= min(FEW, max(counts.values()))]
     share = max(left[name] / max(sizes[name], 1e-9) for name in enough)
     return {name: max(left[name] if name in enough else max(left[name], share * sizes[name]), 1e-9) for name in left}
+
+
+def scatter_beyond(off, errors):
+    """The scatter s of numbers with known errors e by which they are as far off as they should be: mean of off^2/(s^2 + e^2) = 1. Without errors the root mean square."""
+    low, high = 0.0, float(numpy.sqrt(numpy.mean(off**2)))
+    if not errors.any():
+        return high
+    for _ in range(HALVINGS):
+        middle = 0.5 * (low + high)
+        if numpy.mean(off**2 / numpy.maximum(middle**2 + errors**2, 1e-300)) > 1.0:
+            low = middle
+        else:
+            high = middle
+    return high
 
 
 def spread_by_inputs(problem, x, matrix):

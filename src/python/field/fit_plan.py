@@ -16,6 +16,7 @@ from drill_rig_sim.field.window import limits, stretches
 
 OF_RECORDS = ("columns", "signals", "from", "to", "leave_out", "start")
 KEYS = ("scene", "record", "table", "parameters", "held_out", *OF_RECORDS)
+ALIKE = 2.0  # rows of a move that say as much as one: what rings goes on from row to row
 PARAMETER_KEYS = ("name", "key", "keys", "times", "signal", "start", "from", "to")
 
 
@@ -111,7 +112,7 @@ def parameter_of(item, scene):
 
 
 def weights_of(entry, base):
-    """Depths and weights: `table: {file: F, depth: {column, unit}, pick_up: {column, unit}, ...}`; a unit may stand in the file instead. Without columns those that have
+    """Depths, weights, remarks and errors_of(): `table: {file: F, depth: {column, unit}, pick_up: {column, unit}, ...}`; a unit may stand in the file instead. Without columns those that have
     these names; the torque, of which a few numbers say little, only where it is named."""
     parts = entry.mapping(("file", "depth", *MOTIONS, *LAYOUT_KEYS), needed=("file",))
     columns = {name: weight_column(parts[name], name) for name in ("depth", *MOTIONS) if name in parts}
@@ -129,7 +130,16 @@ def weights_of(entry, base):
     if len(odd):
         cell = table.rows[odd[0]][table.column(columns["depth"].names[0])].strip()
         raise RecordError("%s: %s: %s is not a depth of a well" % (table.place(odd[0]), columns["depth"].names[0], cell or "an empty cell"))
-    return depths, found, prefixed(table.file, remarks + remarks_of(table, found))
+    return depths, found, prefixed(table.file, remarks + remarks_of(table, found)), errors_of(table, nulls)
+
+
+def errors_of(table, nulls):
+    """Of the load of each row, standard deviation [N]: of a mean of `rows` that vary by `deviation`, in a table that drill weights has written; else 0."""
+    names = {bare(name): name for name in table.names}
+    if not {"motion", "rows", "deviation"} <= set(names):
+        return numpy.zeros(len(table.rows))
+    deviation = numpy.nan_to_num(values_of(table, "hook_load", Column([names["deviation"]]), nulls, True, []))
+    return deviation / numpy.sqrt(numpy.maximum(numpy.nan_to_num(table.numbers(names["rows"], True)) / ALIKE, 1.0))
 
 
 def remarks_of(table, weights):

@@ -50,6 +50,7 @@ class Follow:
     to_place = 0.1     # fastest way of the bit to where it belongs after a connection [m/s]
     to_place_in = 1.0  # it slows down in [s]
     placed = 2e-3      # so near is there [m]
+    from_rest = True   # whether the block of a coarse gauge stands before the first row, too
 
     def __init__(self, record, rig):
         """RecordError where the record's connections do not go with the rig's joints of pipe."""
@@ -65,7 +66,7 @@ class Follow:
         self.stands = standstills(record)
         self.heights = heights_of(record, self.stands, self.rig)
         self.way = numpy.interp(self.times, record.time, self.heights)
-        self.drum = drum_course(record, self.stands, self.heights, self.rig)
+        self.drum = drum_course(record, self.stands, self.heights, self.rig, self.from_rest)
         self.course = self.drum(self.times)
         middle = self.times + 0.5 * self.period
         self.speed = record.at("top_drive_speed", middle) if "top_drive_speed" in record else None
@@ -187,22 +188,24 @@ def heights_of(record, stands, rig):
     return rig.state.truth.block_height + way
 
 
-def drum_course(record, stands, heights, rig):
+def drum_course(record, stands, heights, rig, rests):
     """Of heights by the rows with what the recorded hook load stretched the lines."""
     gauge = record.at("block_height", record.time) if "block_height" in record else heights
     hung = numpy.ones(len(record.time), bool)
     for still in stands:
         hung[still.begin:still.end + 1] = False
     if "hook_load" not in record or not hung.any():
-        return from_rest(record.time, heights, half_band(gauge, heights), rig.block_acceleration)
+        return from_rest(record.time, heights, half_band(gauge, heights), rig.block_acceleration, rests)
     loads = numpy.interp(record.time, record.time[hung], numpy.maximum(record.at("hook_load", record.time[hung]), 0.0))
     band = half_band(gauge, gauge)
     block = gauge if band < FINE else Course(record.time, gauge, band).heights
     heights = heights + rig.drum_heights(block, loads) - block
-    return from_rest(record.time, heights, half_band(gauge, heights), rig.block_acceleration)
+    return from_rest(record.time, heights, half_band(gauge, heights), rig.block_acceleration, rests)
 
 
-def from_rest(times, heights, band, acceleration):
-    """A course whose block stands before the first row, as the rig does that follows it."""
+def from_rest(times, heights, band, acceleration, rests):
+    """A course whose block stands before the first row, as the rig does that follows it; by a coarse gauge if it `rests`."""
+    if band >= FINE and not rests:
+        return Course(times, heights, band, acceleration)
     before = times[0] - (times[1] - times[0]) * numpy.arange(STANDS_BEFORE, 0, -1)
     return Course(numpy.concatenate((before, times)), numpy.concatenate((numpy.full(STANDS_BEFORE, heights[0]), heights)), band, acceleration)

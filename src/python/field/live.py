@@ -29,7 +29,9 @@ class Rows(Record):
 
 
 class FeedFollow(Follow):
-    """Follows a record that grows. `apart`: of the bit, simulated less recorded, but for slips of the depth tracking [m]."""
+    """Follows a record that grows, whose first rows are later cut off, while the block moves. `apart`: of the bit, simulated less recorded, but for slips of the depth tracking [m]."""
+
+    from_rest = False
 
     def __init__(self, record, rig, say):
         self.say, self.passed, self.played = say, set(), -numpy.inf

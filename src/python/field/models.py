@@ -61,6 +61,7 @@ class RecordModel:
         self.observed = numpy.concatenate(list(self.comparable(passed).values()))
         self.noise = {name: scatter(values[numpy.isfinite(values)]) for name, values in self.record.signals.items() if name in self.names}
         self.signals = self.groups = self.kinds = numpy.repeat(self.names, len(self.record.time))
+        self.errors = 0.0
         self.axis = "time", numpy.tile(self.record.signals["time"], len(self.names))
         self.place = numpy.tile(self.record.time / self.record.time[-1], len(self.names))
 
@@ -117,7 +118,8 @@ class TableModel:
     """Rows: depth [m] and weights by MOTIONS [N], [N m], nan where there is none, as the scene's gauge shows them: with the friction of rail and sheaves. One rig's
     scene whose hole is the whole of the survey; the bit hangs at each depth."""
 
-    def __init__(self, scene, survey, parameters, depths, weights, remarks=()):
+    def __init__(self, scene, survey, parameters, depths, weights, remarks=(), errors=0.0):
+        """`errors`: standard deviation of the loads by row, which is known beside their scatter [N]."""
         keys = [(p.name, p.keys, p.times) for p in parameters if p.signal is None]
         self.blueprint = Blueprint("table", scene, survey, keys + [("bit", ["start.bit_depth"], False)])
         self.depths, self.motions, self.remarks, self.noise = depths, list(weights), list(remarks), {}
@@ -126,6 +128,7 @@ class TableModel:
         self.groups = numpy.repeat(self.motions, len(depths))
         self.signals = numpy.array([MOTIONS[motion][0] for motion in self.groups])
         self.kinds = numpy.where(numpy.char.startswith(self.groups.astype(str), "slips"), "empty block", self.signals)  # it knows no friction of the string
+        self.errors = numpy.where(self.signals == "hook_load", numpy.tile(numpy.broadcast_to(errors, len(depths)), len(self.motions)), 0.0)
         self.axis = "depth", numpy.tile(depths, len(self.motions))
         self.place = numpy.concatenate([places_of(depths, weights[motion]) for motion in self.motions])
 

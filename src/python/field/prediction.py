@@ -19,7 +19,7 @@ class Prediction:
         self.groups, (self.axis, self.places) = model.groups, model.axis
         self.signals, self.observed, self.predicted = problem.signals, problem.observed, problem.predict(values)
         self.confidence = numpy.where(needs_untold, numpy.inf, fitted.student * numpy.sqrt(numpy.maximum(variance, 0.0)))
-        self.band = numpy.hypot(self.confidence, fitted.student * scatter)
+        self.band = numpy.hypot(self.confidence, fitted.student * numpy.hypot(scatter, problem.errors))
         self.untold = [p.name for p, known, column in zip(problem.parameters, told, matrix.T) if not known and numpy.nan_to_num(column, nan=1.0).any()]
         self.untold += ["the scatter of %s" % signal for signal in dict.fromkeys(map(str, problem.signals)) if not numpy.isfinite(fitted.scatter[signal])]
 
