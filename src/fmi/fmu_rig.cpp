@@ -168,8 +168,11 @@ void FmuRig::apply_inputs(std::vector<std::string>& refused)
   const bool of_winch = apply(CommandKind::winch, s.winch, refused);
   const bool any = of_winch | apply(CommandKind::top_drive, s.top_drive, refused) |
                    apply(CommandKind::mud_pump, s.pump, refused) | apply(CommandKind::steering, s.steering, refused);
-  if (any && playing_) player_.hand_over(*simulator_, of_winch);
-  playing_ = playing_ && !any;
+  if (any && playing_)
+  {
+    player_.hand_over(*simulator_, of_winch);
+    playing_ = false;
+  }
   if (inputs_.tare && !tared_) tare(refused);
   tared_ = inputs_.tare;
 }

@@ -115,8 +115,9 @@ void InProcessRig::command(const std::optional<WinchSetpoint>& winch, const std:
   require(*simulator_, steering);
   const bool any =
       take(*simulator_, winch) | take(*simulator_, top_drive) | take(*simulator_, pump) | take(*simulator_, steering);
-  if (any && playing_) player_.hand_over(*simulator_, winch.has_value());
-  playing_ = playing_ && !any;
+  if (!any || !playing_) return;
+  player_.hand_over(*simulator_, winch.has_value());
+  playing_ = false;
 }
 
 InProcessRig::Turn::Turn(const InProcessRig& rig) : busy_(rig.busy_)

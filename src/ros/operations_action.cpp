@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/ros/operations_action.h"
 
-#include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <stdexcept>
 
 #include "drill_rig_sim/ros/conversions.h"
+#include "drill_rig_sim/ros/diagnostics_report.h"
 #include "drill_rig_sim/sim/requests.h"
 #include "step_request.h"
 
@@ -16,18 +15,7 @@ namespace
 {
 constexpr double feedback_period = 0.2;  // of simulated time [s]
 
-std::string one_line(std::string text)
-{
-  std::replace(text.begin(), text.end(), '\n', ' ');
-  return text;
-}
-
-std::string place_of(const OperationStatus& operation)
-{
-  std::ostringstream text;
-  text << "operation " << operation.number << " of " << operation.count << ", " << word_of(operation.kind);
-  return text.str();
-}
+constexpr char replaced[] = "another rig, well or saved state has taken the place of this one";
 }  // namespace
 
 OperationsAction::OperationsAction(ros::NodeHandle& node, SimulationLoop& loop)
@@ -76,7 +64,7 @@ std::string OperationsAction::start(const std::string& operations)
       [&](SimulationLoop& loop)
       {
         require_ready(loop);
-        if (loop.epoch() != epoch) throw std::runtime_error("another rig, well or saved state has taken the place of this one");
+        if (loop.epoch() != epoch) throw std::runtime_error(replaced);
         began_ = loop.rig().simulator->truth().time;
         epoch_ = epoch;
         order_ = loop.play(player);
@@ -119,13 +107,12 @@ void OperationsAction::follow(const FrameRecord& frame)
   const std::uint32_t order = order_;
   if (order == 0) return;
   const double now = frame.truth.time;
-  if (frame.epoch > epoch_) return end(false, "another rig, well or saved state has taken the place of this one", now);
+  if (frame.epoch > epoch_) return end(false, replaced, now);
   if (frame.order != order) return;  // of a frame before it began
   if (frame.run_state == RunState::failed) return end(false, std::string("a frame failed: ") + frame.failure.data(), now);
   if (!frame.playing) return end(false, "a command on a topic has taken over the rig", now);
   const OperationStatus& operation = frame.operation;
-  if (operation.trouble != OperationTrouble::none)
-    return end(false, place_of(operation) + ", was given up, the block is braked: " + text_of(operation.trouble), now);
+  if (operation.trouble != OperationTrouble::none) return end(false, trouble_of(operation), now);
   if (operation.number == 0) return end(true, std::to_string(operation.count) + " operations are finished", now);
   if (operation.number != told_number_ || std::abs(now - told_at_) >= feedback_period) give_feedback(frame);
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/ros/services.h"
 
-#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <sstream>
@@ -41,12 +40,6 @@ std::string remarks_of(const Scene& scene)
 {
   std::string text;
   for (const std::string& remark : scene.remarks) text += "; " + remark;
-  return text;
-}
-
-std::string one_line(std::string text)
-{
-  std::replace(text.begin(), text.end(), '\n', ' ');
   return text;
 }
 }  // namespace

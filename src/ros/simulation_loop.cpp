@@ -237,7 +237,7 @@ void SimulationLoop::set_paused(bool paused) noexcept
 
 std::uint32_t SimulationLoop::play(const ScenePlayer& player)
 {
-  if (rig_.playing) rig_.player.operations().stop(*rig_.simulator);
+  if (rig_.playing) rig_.player.hand_over(*rig_.simulator, false);
   rig_.player = player;
   rig_.playing = true;
   rig_.order = ++orders_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "step_request.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <string>
@@ -45,6 +46,12 @@ std::uint32_t frames_of(const StepSimulation::Request& request, double rate)
   if (request.frames > most_frames_of_step)
     throw Refusal("frames is " + std::to_string(request.frames) + "; allowed is 0 to " + std::to_string(most_frames_of_step));
   return request.frames;
+}
+
+std::string one_line(std::string text)
+{
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  return text;
 }
 
 void require_good(const RunningRig& rig)
