@@ -2,6 +2,7 @@
 #include "drill_rig_sim/crew/operation_trouble.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "drill_rig_sim/hydraulics/mud_motor.h"
 
@@ -27,6 +28,8 @@ const char* text_of(OperationTrouble trouble) noexcept
       return "the block is at its highest place, and there is no stand to take away";
     case OperationTrouble::no_room_to_add:
       return "the block is at its lowest place, and no stand can be added";
+    case OperationTrouble::block_at_stop:
+      return "the block is at the end of its travel, and the operation has not reached its end";
     case OperationTrouble::bottom_too_near:
       return "the bit reaches bottom before the block is low enough to add a stand, needed: drill deeper first";
   }
@@ -46,7 +49,7 @@ OperationTroubleWatch::OperationTroubleWatch(const Scene& scene)
 
 void OperationTroubleWatch::begin(double time) noexcept
 {
-  running_at_ = within_at_ = seen_at_ = time;
+  running_at_ = within_at_ = seen_at_ = moves_at_ = time;
 }
 
 OperationTrouble OperationTroubleWatch::look(const Operation& operation, const Readings& now) noexcept
@@ -58,7 +61,10 @@ OperationTrouble OperationTroubleWatch::look(const Operation& operation, const R
   seen_at_ = now.time;
   if (!drills || now.mean_surface_wob <= over_weight(operation.weight)) within_at_ = now.time;
   if (now.time - running_at_ >= stall_lasts) return OperationTrouble::motor_stalled;
-  return now.time - within_at_ >= over_weight_lasts ? OperationTrouble::over_weight : OperationTrouble::none;
+  if (now.time - within_at_ >= over_weight_lasts) return OperationTrouble::over_weight;
+  const bool at_stop = now.stop_reached && std::abs(now.block_velocity) < stands && (!drills || now.rop < no_hole);
+  if (!traits_of(operation.kind).moves || is_set(operation.time) || !at_stop) moves_at_ = now.time;  // a time ends it as well
+  return now.time - moves_at_ >= at_stop_lasts ? OperationTrouble::block_at_stop : OperationTrouble::none;
 }
 
 }  // namespace drill_rig_sim

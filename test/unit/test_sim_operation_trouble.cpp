@@ -105,6 +105,46 @@ TEST(OperationTroubleWatch, otherOperationsMayPush)
   EXPECT_EQ(look_for(watch, now, default_operation(OperationKind::slack_off), 60.0), OperationTrouble::none);
 }
 
+TEST(OperationTroubleWatch, aBlockThatStandsAtAnEndOfItsTravel)
+{
+  OperationTroubleWatch watch(drilling_scene());
+  Readings now;
+  now.tared = now.stop_reached = true;
+  Operation pick_up = default_operation(OperationKind::pick_up);
+  pick_up.distance = 60.0;
+  watch.begin(now.time);
+  EXPECT_EQ(look_for(watch, now, pick_up, 9.8), OperationTrouble::none);
+  EXPECT_EQ(look_for(watch, now, pick_up, 0.4), OperationTrouble::block_at_stop);
+  watch.begin(now.time);
+  now.block_velocity = 0.05;
+  EXPECT_EQ(look_for(watch, now, pick_up, 60.0), OperationTrouble::none) << "slowed down before the end";
+  now.block_velocity = 0.0;
+  pick_up.time = 100.0;
+  EXPECT_EQ(look_for(watch, now, pick_up, 60.0), OperationTrouble::none) << "it ends after its time";
+  now.rop = 1e-3;
+  EXPECT_EQ(look_for(watch, now, drilling(60e3), 60.0), OperationTrouble::none) << "the string's stretch is drilled off";
+  now.rop = 0.0;
+  EXPECT_EQ(look_for(watch, now, drilling(60e3), 10.2), OperationTrouble::block_at_stop);
+  watch.begin(now.time);
+  EXPECT_EQ(look_for(watch, now, default_operation(OperationKind::rotate), 60.0), OperationTrouble::none) << "moves no block";
+}
+
+// Higher than the derrick: the block stops below its highest place, and the operation ends 10 s later.
+TEST(OperationTrouble, aPickUpBeyondTheBlocksTravelIsGivenUp)
+{
+  Scene scene = drilling_scene();
+  Operation pick_up = default_operation(OperationKind::pick_up);
+  pick_up.distance = scene.rig.hoisting.highest_block_height + 10.0;
+  pick_up.speed = 0.5;
+  scene.operations = {pick_up};
+  Simulator rig(scene);
+  ScenePlayer player(rig.scene());
+  ASSERT_EQ(play_on(rig, player), RunEnd::trouble);
+  EXPECT_EQ(player.operations().status().trouble, OperationTrouble::block_at_stop);
+  EXPECT_NEAR(rig.readings().block_height, scene.rig.hoisting.highest_block_height, 0.1);
+  EXPECT_TRUE(rig.setpoints().winch.brake);
+}
+
 TEST(OperationTrouble, aStalledMotorEndsTheOperationsWithTheBrakeSet)
 {
   Simulator rig(stalling_scene());

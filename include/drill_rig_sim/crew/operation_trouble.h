@@ -18,6 +18,7 @@ enum class OperationTrouble
   tag_on_bottom,    ///< tag begins there
   nothing_to_take,  ///< the block is at its highest place, and the crew has no stand to take away
   no_room_to_add,   ///< the block is at its lowest place, and the crew can add no stand
+  block_at_stop,    ///< the block stands at an end of its travel
   bottom_too_near   ///< the bit is on bottom before the block is low enough for a connection
 };
 
@@ -35,6 +36,8 @@ public:
   static constexpr double no_hole = 1e-5;     ///< rate of penetration below which none is made [m/s]
   static constexpr double stall_lasts = 2.0;  ///< by which the time at it is longer than the time below: a gauge has noise [s]
   static constexpr double over_weight_lasts = 10.0;  ///< [s]
+  static constexpr double at_stop_lasts = 10.0;      ///< by which the string's stretch has come to rest, or is drilled off [s]
+  static constexpr double stands = 1e-4;             ///< speed of a block that stands [m/s]
   /// Weight on bit far above `wanted` [N]: twice as much, and at least 30 kN more.
   static double over_weight(double wanted) noexcept;
 
@@ -50,6 +53,7 @@ public:
     v("running_at", running_at_);
     v("seen_at", seen_at_);
     v("within_at", within_at_);
+    v("moves_at", moves_at_);
   }
 
 private:
@@ -57,6 +61,7 @@ private:
   double running_at_ = 0.0;      // when the motor was last below it; later by the time that it was below since [s]
   double seen_at_ = 0.0;         // the last look [s]
   double within_at_ = 0.0;       // when the weight was last within its bound [s]
+  double moves_at_ = 0.0;        // when the block, or the hole, was last seen to get on [s]
 };
 
 }  // namespace drill_rig_sim
