@@ -13,11 +13,12 @@ HOOK_LOAD = 1 << GAUGES.index("hook_load")  # of RigState.lost_gauges
 class Autodriller:
     """`set_points`: weight [N], and where wanted pressure (differential) [Pa] and torque (above that off bottom) [N m]. `stiffness`: of the weight, of
     string and lines [N/m]; those of pressure and torque follow by what a newton on the bit makes of them: pressure_per_weight, torque_per_weight.
-    `rop`: largest feed [m/s]. `stall_pressure`: differential, by which a stalled motor is known [Pa]. `tag_speed` [m/s]: the rock has to withstand it.
+    `rop`: largest feed [m/s]. `stall_pressure`: differential, by which a stalled motor is known [Pa]. `tag_speed` [m/s].
     `hook_load_gain`: what the gauge makes of a newton on the hook while the block goes down: a dead line's sheaves rub."""
     period = 0.1                             # [s]
     lift_speed, return_speed = 0.15, 0.05    # of the block [m/s]
     tag_weight, weight_ramp = 5e3, 2e3       # [N], [N/s]
+    tag_depth = 0.1                          # so much new hole is a bottom too, one that gives way before it bears tag_weight [m]
     slew = 0.03                              # of the feed: a jerk would ring in string and lines [m/s2]
     zero_time, wait_time, spin_up_time = 12.0, 10.0, 20.0  # [s]
     lift, stand_off = 1.5, 0.3               # off bottom [m]
@@ -38,7 +39,7 @@ class Autodriller:
         self.string_load = 0.0                   # what hangs on the hook off bottom [N]
         self.stay_off = self.blind = False       # for who steers: wait on off bottom; feed on as before, whatever the weight seems to be
         self.raw, self.zero, self.samples = {}, {}, []
-        self.now = self.last_feed = self.height = 0.0
+        self.now = self.last_feed = self.height = self.hole = 0.0
         self.beyond_since = self.lost_since = None
 
     # --- what the gauges say
@@ -110,11 +111,12 @@ class Autodriller:
             self.string_load = readings.hook_load_string
             self.zero = {name: sum(sample[name] for sample in self.samples) / len(self.samples) for name in self.raw}
             self.lags = {name: Lag(lag.time) for name, lag in self.lags.items()}
+            self.hole = readings.hole_depth
             self.go("tagging")
         return self.tag_speed
 
-    def tagging(self, _):
-        if self.beyond("weight", self.tag_weight, self.tag_time):
+    def tagging(self, readings):
+        if self.beyond("weight", self.tag_weight, self.tag_time) or readings.hole_depth > self.hole + self.tag_depth:
             self.loops["weight"].set_point = self.tag_weight
             self.go("drilling")
         return self.tag_speed

@@ -1,7 +1,8 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
 """The law drill_rig_sim.autodriller against a rig whose hook load is noisy and late: weight kept into harder rock, loops that take over from each
-other without a bump, and a stalled motor got going again. Fed by readings, judged by the truth."""
+other without a bump, and a stalled motor got going again. Fed by readings, judged by the truth. And rock too soft to bear the weight of a tag."""
+import types
 import unittest
 
 import numpy
@@ -64,6 +65,21 @@ class AutodrillerLoops(unittest.TestCase):
         again = self.time[numpy.flatnonzero((self.time > last + 5.0) & (abs(self.weight - WEIGHT) < 0.05 * WEIGHT))[0]]
         print("stalled at %.0f s, off bottom at %.0f s, on with the weight at %.0f s, stalls: %d" % (last, off, again, law.stalls))
         self.assertFalse(stalled[self.time > again].any())
+
+
+class SoftRock(unittest.TestCase):
+    def test_rock_that_bears_no_weight_is_drilled_at_the_largest_rate(self):
+        law = Autodriller({"weight": WEIGHT}, stiffness=6e5, rop=0.01, rpm=60.0, flow=0.03, to_depth=1010.0)
+        now = types.SimpleNamespace(t=0.0, hook_load=3e5, hook_load_string=3e5, stand_pipe_pressure=8e6, torque=2e3, lost_gauges=0, bit_depth=999.9,
+                                    hole_depth=1000.0, block_height=20.0)
+        for _ in range(1500):
+            feed = -law.step(now).block_velocity
+            now.t += law.period
+            now.bit_depth += feed * law.period
+            now.hole_depth = max(now.hole_depth, now.bit_depth)
+            now.block_height -= feed * law.period
+        self.assertEqual(law.phase, "drilling")
+        self.assertAlmostEqual(feed, 0.01)
 
 
 if __name__ == "__main__":
