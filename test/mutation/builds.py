@@ -167,7 +167,7 @@ class Copy:
             if os.path.isfile(link):
                 words = shlex.split(read(link).decode())
                 output = words[words.index('-o' if '-o' in words else 'qc') + 1]
-                libraries = {self._absolute(w) for w in words if re.search(r'\.(so|a)$', w)}
+                libraries = {self._absolute(w) for w in words if re.search(r'\.(so[.\d]*|a)$', w)}
                 self.targets[target] = (sources, self._absolute(output), libraries)
 
     def _absolute(self, path):
