@@ -45,6 +45,11 @@ def empty_block(scene, direction=0):
     return _sim.empty_block(found(scene, "config/scenes"), direction)
 
 
+def plain_scene(scene):
+    """Text of a scene that needs no other file: numbers in SI units alone, the survey's stations in it, keys that have their defaults left out."""
+    return _sim.plain_scene(found(scene, "config/scenes"))
+
+
 class Record(typing.NamedTuple):
     """Of many frames, a row each: fields of RigState, RigTruth and BitTruth by their names, those of a set point as "winch.brake". As drill score takes a run
     (drill_rig_sim.score_runs.run_of_record)."""

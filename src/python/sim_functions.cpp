@@ -17,6 +17,7 @@
 #include "drill_rig_sim/rig/hoisting.h"
 #include "drill_rig_sim/scene/read_scene.h"
 #include "drill_rig_sim/scene/survey_file.h"
+#include "drill_rig_sim/scene/write_scene.h"
 #include "drill_rig_sim/sim/profile.h"
 #include "in_process_rig.h"
 
@@ -120,6 +121,12 @@ py::dict static_loads(const std::string& scene_file, const std::string& motion)
   return loads;
 }
 
+/// A scene's file as a text that needs no other file, with numbers in SI units alone. Throws SceneError.
+std::string plain_scene(const std::string& scene_file)
+{
+  return write_scene(read_scene(scene_file));
+}
+
 /// Of a survey's file, as survey_format() says, by the rules of scenes: measured depths [m], inclinations and azimuths [rad], and
 /// where the first station lies, (east, north, up) from the rotary table [m], and remarks to be reported. Throws SceneError.
 py::tuple read_survey(const std::string& file, const std::string& columns, bool pass_over)
@@ -150,6 +157,7 @@ void bind_functions(py::module_& module)
   module.def("build", build);
   module.def("static_loads", static_loads);
   module.def("empty_block", empty_block);
+  module.def("plain_scene", plain_scene);
   module.def("units", units);
   module.def("find_unit", find_unit_of);
   module.def("oilfield_units", oilfield_units);

@@ -38,7 +38,7 @@ class FiveStands(unittest.TestCase):
         with open(cls.page, encoding="utf-8") as text:
             messages = json.loads(re.search(r'id="run">(.*?)</script>', text.read(), re.DOTALL).group(1).replace(r"<\/", "</"))
         cls.messages = {message["type"]: message for message in messages if message["type"] != "bins"}
-        cls.time_log = next(message for message in messages if message["type"] == "bins" and message["log"] == "time")
+        cls.time_log, cls.depth_log = (next(one for one in messages if one["type"] == "bins" and one["log"] == log) for log in ("time", "depth"))
 
     @staticmethod
     def drill(*words):
@@ -77,6 +77,11 @@ class FiveStands(unittest.TestCase):
         self.assertAlmostEqual(8.0, low[-1], delta=0.5)
         self.assertAlmostEqual(2.8, left[-1], delta=0.5)
         self.assertAlmostEqual(447.0, depth[-1], delta=0.5)
+
+    def test_specific_energy_by_the_bit_of_the_scene(self):
+        energy = [value for value in self.depth_log["signals"]["mse"][2] if value is not None]
+        self.assertGreater(len(energy), 20)
+        self.assertGreater(min(energy), 0.0)
 
     def test_weights_of_the_run_are_on_the_broomstick(self):
         """Each within 2 % of what drill static says at its depth, by the friction of the scene."""

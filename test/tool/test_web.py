@@ -12,13 +12,14 @@ import numpy
 import rospy
 import skips
 from drill_rig_sim.lockstep import Refused
-from drill_rig_sim.msg import DrillstringState, RigState
+from drill_rig_sim.msg import DrillstringState, RigState, RigTruth
 from drill_rig_sim.units import SHOWN
 from drill_rig_sim.web import fields, shapes
 from drill_rig_sim.web.alarms import Alarms
 from drill_rig_sim.web.bins import Bins
 from drill_rig_sim.web.broomstick import points, scene_at
 from drill_rig_sim.web.feed import Feed
+from drill_rig_sim.web.news import News
 from drill_rig_sim.web.node_source import NodeSource
 from drill_rig_sim.web.orders import Orders, number_of
 from drill_rig_sim.web.packed import Packed
@@ -66,6 +67,14 @@ class Messages(unittest.TestCase):
         for *pair, _ in fields.NUMBERS:
             self.assertTrue(set(pair) <= {"", *fields.NAMES})
         self.assertEqual(8, len(fields.NUMBERS))
+
+    def test_faults_under_way_are_sent_when_they_change(self):
+        truth = RigTruth(active_faults=["stuck_pipe", "sensor_bias of hook_load"], active_fault_depths=[812.5, math.nan])
+        news = [[packed(RigTruth())], [packed(RigTruth()), packed(truth)], [packed(truth)], [packed(RigTruth())]]
+        feed = Feed(types.SimpleNamespace(name="rig", live=True, status=lambda: {}, poll=lambda: News([], news.pop(0), None, {})), False, "si")
+        found = [[one["entries"] for one in feed.take() if one["type"] == "faults"] for _ in range(4)]
+        entries = [{"text": "stuck pipe", "depth": 812.5}, {"text": "sensor bias of hook load", "depth": None}]
+        self.assertEqual(found, [[], [entries], [], [[]]])
 
     def test_what_has_no_zero_is_empty(self):
         rows = Packed(RigState, fields.SEEN).rows([packed(state(1.0, surface_wob=5.0, tared=tared, in_slips=slips))

@@ -11,6 +11,7 @@ import unittest.mock
 import numpy
 import rospy
 import skips
+from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus, KeyValue
 from drill_rig_sim.msg import RigLimits
 from drill_rig_sim.score_runs import Run, RunError
 from drill_rig_sim.survey import Survey
@@ -57,11 +58,14 @@ class Bags(unittest.TestCase):
                 bag.write(topic, message, rospy.Time.from_sec(time))
 
     def test_a_bag(self):
-        self.write(("/rig/rig_limits", RigLimits(max_hook_load=2e6), 0.5),
+        physics = DiagnosticStatus(name="rig/rig_simulator: physics", hardware_id="rig/rig_simulator", values=[KeyValue(key="pull_to_yield", value="9e5")])
+        self.write(("/rig/rig_limits", RigLimits(max_hook_load=2e6), 0.5), ("/diagnostics", DiagnosticArray(status=[physics]), 3.5),
+                   ("/diagnostics", DiagnosticArray(), 3.9),
                    *(("/rig/rig_state", state(t, hook_load=1e5 * t, slack_line=t == 3.0), t) for t in (1.0, 2.0, 3.0, 4.0)))
         feed = taken(BagSource(self.file))
         found = {message["type"]: message for message in feed.whole()}
         self.assertEqual(found["limits"]["hook_load"], 2e6)
+        self.assertEqual(found["margin"]["pull_to_yield"], 9e5)
         self.assertEqual(found["bins"]["signals"]["hook_load"][2][::4], [1e5, 2e5, 3e5, 4e5])
         self.assertEqual([one["flag"] for one in found["alarms"]["entries"]], ["slack_line"])
         self.assertFalse(found["hello"]["live"])

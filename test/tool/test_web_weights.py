@@ -8,8 +8,7 @@ import numpy
 import skips
 from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus, KeyValue
 from drill_rig_sim.web.feed import Feed
-from drill_rig_sim.web.news import News
-from drill_rig_sim.web.node_source import margin_of
+from drill_rig_sim.web.news import News, margin_of
 from drill_rig_sim.web.weights import Weights
 
 

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A bag as a source: all of it at once."""
+from diagnostic_msgs.msg import DiagnosticArray
 from drill_rig_sim.score_runs import RunError, namespace_of
-from drill_rig_sim.web.news import STATE, STATE_KIND, TOPICS, TRUTH, TRUTH_KIND, News, ReadSource
+from drill_rig_sim.web.news import STATE, STATE_KIND, TOPICS, TRUTH, TRUTH_KIND, News, ReadSource, margin_of
 
 
 class BagSource(ReadSource):
@@ -28,6 +29,11 @@ def news_of(bag, file, prefix):
         found = raw_messages(bag, file, prefix + topic, kind)
         if found:
             latest[what] = kind().deserialize(found[-1])
+    diagnostics = raw_messages(bag, file, "/diagnostics", DiagnosticArray)
+    margins = (margin_of(DiagnosticArray().deserialize(data), prefix) for data in reversed(diagnostics))
+    margin = next((one for one in margins if one is not None), None)
+    if margin is not None:
+        latest["margin"] = margin
     return News(states, raw_messages(bag, file, prefix + TRUTH, TRUTH_KIND), STATE_KIND().deserialize(states[-1]), latest)
 
 

@@ -7,7 +7,8 @@ from drill_rig_sim.web import shapes
 from drill_rig_sim.web.broomstick import Broomstick
 from drill_rig_sim.web.fields import DEPTH_TRACKS, FIELDS, NUMBERS, TRACKS
 from drill_rig_sim.web.law_points import LAW_POINTS
-from drill_rig_sim.web.run_log import RunLog
+from drill_rig_sim.web.news import TRUTH_KIND
+from drill_rig_sim.web.run_log import RunLog, shown
 
 SLOW = 1.0          # between sheets, strings and wells [wall s]
 RARE = 10.0         # between looks for weights [wall s]
@@ -42,6 +43,7 @@ class Feed:
         changed = [message for topic in news.latest for message in self._describe(topic, news.latest[topic])]
         if news.truth:
             self.log.take_truth(news.truth)
+            changed += self._faults_if_changed(TRUTH_KIND().deserialize(news.truth[-1]))
         run = self.log.run
         if news.states:
             self.log.take(news.states)
@@ -116,6 +118,14 @@ class Feed:
         if mark[0] - wall < 0.5 or now is None or before is None:
             return {"speed": None, "cpu": None}
         return {"speed": (now - before) / (mark[0] - wall), "cpu": (mark[2] - cpu) / (mark[0] - wall)}
+
+    def _faults_if_changed(self, truth):
+        places = zip(truth.active_faults, truth.active_fault_depths)
+        found = {"type": "faults", "entries": [{"text": word.replace("_", " "), "depth": shown(depth)} for word, depth in places]}
+        if found == self.described.get("faults", {"type": "faults", "entries": []}):
+            return []
+        self.described["faults"] = found
+        return [found]
 
     # --- what is latched, or comes now and then
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What a source has for the feed since it was asked last."""
+import math
 import typing
 
 from drill_rig_sim.msg import DrillstringState, RigDescription, RigLimits, RigState, RigTruth
@@ -40,3 +41,13 @@ STATE_KIND, TRUTH_KIND = RigState, RigTruth
 TOPICS = {"rig_limits": ("limits", RigLimits), "scene": ("scene", String), "rig_description": ("description", RigDescription),
     "trajectory": ("trajectory", Path),
           "drillstring_state": ("string", DrillstringState)}
+
+
+def margin_of(message, namespace):
+    """`pull_to_yield` [N] of the node in this namespace ("/rig/"), of a DiagnosticArray; None where the message has none."""
+    for status in message.status:
+        if status.name.endswith(": physics") and ("/" + status.hardware_id).rpartition("/")[0] + "/" == namespace:
+            for one in status.values:
+                if one.key == "pull_to_yield" and math.isfinite(float(one.value)):
+                    return float(one.value)
+    return None

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A live node as a source: its topics by rospy, taken as bytes. A node or a ROS master that ends and comes back is joined again."""
 import collections
-import math
 import struct
 import threading
 import time
@@ -9,7 +8,7 @@ import time
 import rosgraph
 import rospy
 from diagnostic_msgs.msg import DiagnosticArray
-from drill_rig_sim.web.news import STATE, STATE_KIND, TOPICS, TRUTH, TRUTH_KIND, News
+from drill_rig_sim.web.news import STATE, STATE_KIND, TOPICS, TRUTH, TRUTH_KIND, News, margin_of
 
 EVERY = {"trajectory": 1.0, "drillstring_state": 0.5}  # these may come often: read so often at most [wall s]
 BEHIND = 1.0    # so late, what is shown is not the present, and no law may go by it [s]
@@ -147,16 +146,6 @@ class NodeSource:
 def is_of(message, kind):
     """Whether an AnyMsg is of this version of a type."""
     return message._connection_header["md5sum"] == kind._md5sum  # pylint: disable=protected-access
-
-
-def margin_of(message, namespace):
-    """`pull_to_yield` [N] of the node in this namespace ("/rig/"), of a DiagnosticArray; None where the message has none."""
-    for status in message.status:
-        if status.name.endswith(": physics") and ("/" + status.hardware_id).rpartition("/")[0] + "/" == namespace:
-            for one in status.values:
-                if one.key == "pull_to_yield" and math.isfinite(float(one.value)):
-                    return float(one.value)
-    return None
 
 
 def stamp_of(data):

@@ -49,29 +49,31 @@ def no_end(text, tag):
 
 
 def page_of(source, units, scene=None):
-    """HTML of the page about all that a source has; `units`: a system of drill_rig_sim.units; `scene`: file for the broomstick chart."""
-    feed = Feed(source, False, units)
+    """HTML of the page about all that a source has; `units`: a system of drill_rig_sim.units; `scene`: file for the broomstick chart and the specific energy."""
+    feed, tree = Feed(source, False, units), tree_of(scene) if scene else None
+    if tree:
+        feed.log.bit_diameter = tree["string"][0]["diameter"]
     state = feed.take()[-1]
-    theory = [broomstick_of(scene, float(feed.log.last["hole_depth"]))] if scene else []
+    theory = [broomstick_of(tree, float(feed.log.last["hole_depth"]))] if tree else []
     return html_of([*feed.whole(), *theory, state])
 
 
-def broomstick_of(file, depth):
-    """The message of the broomstick chart that is computed; RunError where the scene cannot be read."""
+def tree_of(file):
+    """A scene in SI units; RunError where it cannot be read."""
     try:
-        with open(file, encoding="utf-8") as text:
-            scene = yaml.safe_load(text)
-    except (OSError, yaml.YAMLError) as problem:
-        raise RunError("%s: %s" % (file, str(problem).splitlines()[0])) from None
-    if not isinstance(scene, dict) or not isinstance(scene.get("well"), dict):
-        raise RunError("%s: is no scene: needed is a section well" % file)
-    survey = scene["well"].get("survey")
-    if isinstance(survey, str):
-        scene["well"]["survey"] = os.path.join(os.path.dirname(os.path.abspath(file)), survey)
-    try:
-        computed = list(points(scene, depth))
+        from drill_rig_sim.lockstep import Refused
+        from drill_rig_sim.sim import plain_scene
     except ImportError:
         raise RunError("--scene needs the Python module drill_rig_sim.sim, which is not built") from None
+    try:
+        return yaml.safe_load(plain_scene(file))
+    except (Refused, ValueError) as problem:
+        raise RunError(str(problem).splitlines()[0]) from None
+
+
+def broomstick_of(scene, depth):
+    """The message of the broomstick chart that is computed."""
+    computed = list(points(scene, depth))
     return {"type": "broomstick", "points": computed, "count": len(computed), "done": True, "running": False, "problem": ""}
 
 

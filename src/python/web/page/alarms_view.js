@@ -3,12 +3,29 @@
 import { byId, make } from "./dom.js";
 import { send } from "./link.js";
 import { on, store } from "./store.js";
-import { clockText } from "./units.js";
+import { clockText, shownText, unitOf } from "./units.js";
 
 const MOST = 3;
 
 export function buildAlarms() {
   on("alarms", showAlarms);
+  on("faults", showFaults);
+  on("hello", () => {
+    store.faults = null;  // of another server
+    showFaults();
+  });
+  document.addEventListener("units", showFaults);
+}
+
+/// Those that were ordered, by a scene or an instructor: no rig senses them.
+function showFaults() {
+  const faults = store.faults ? store.faults.entries : [], box = byId("faults");
+  box.hidden = faults.length === 0;
+  box.textContent = "Faults under way: " + faults.map(faultText).join(", ");
+}
+
+function faultText(one) {
+  return one.depth === null ? one.text : `${one.text} at ${shownText("length", one.depth, 0)} ${unitOf("length").name}`;
 }
 
 function showAlarms() {
