@@ -23,6 +23,7 @@ from drill_rig_sim.srv import (InjectFault, InjectFaultRequest, LoadSurvey, Make
 from std_srvs.srv import SetBool, Trigger
 
 COMMANDS = {"winch": WinchCommand, "top_drive": TopDriveCommand, "mud_pump": MudPumpCommand, "steering": SteeringCommand}
+ASK_AGAIN = 2.0  # between looks whether a node that is waited for still answers [wall s]
 
 
 class Lost(Exception):
@@ -139,8 +140,12 @@ class Rig(Lockstep):
         self._operations = client = actionlib.SimpleActionClient(self._prefix + "/run_operations", RunOperationsAction)
         client.wait_for_server()
         client.send_goal(RunOperationsGoal(operations=yaml_of(operations)))
+        asked = time.monotonic()
         while client.get_state() == GoalStatus.PENDING:
             time.sleep(0.01)
+            if time.monotonic() > asked + ASK_AGAIN:
+                asked = time.monotonic()
+                self._look()  # raises Lost where the node is gone
         if client.get_state() == GoalStatus.ABORTED:
             raise Refused(client.get_result().message)
         return self._look()
