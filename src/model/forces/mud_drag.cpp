@@ -2,6 +2,7 @@
 #include "drill_rig_sim/model/forces/mud_drag.h"
 
 #include "drill_rig_sim/model/forces/free_string.h"
+#include "drill_rig_sim/rig/rigid_body.h"
 
 namespace drill_rig_sim::one_lane
 {
