@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "command_intake.h"
+#include "drill_rig_sim/sim/simulator.h"
 #include "drill_rig_sim/sim/string_watch.h"
 #include "motion.h"
 

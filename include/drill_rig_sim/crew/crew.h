@@ -3,6 +3,7 @@
 #define DRILL_RIG_SIM_CREW_CREW_H
 
 #include "drill_rig_sim/instruments/signals.h"
+#include "drill_rig_sim/rig/hoisting.h"
 
 namespace drill_rig_sim
 {
