@@ -193,13 +193,12 @@ void OperationsPlayer::begin_tag(RigControls& rig, bool zeroed) noexcept
 
 void OperationsPlayer::follow(RigControls& rig) noexcept
 {
-  switch (operations_[next_].kind)
-  {
-#define OPERATION(name, moves, drills, by_crew, follow) \
-  case OperationKind::name:                             \
-    return follow(rig);
+  using Follow = void (OperationsPlayer::*)(RigControls&) noexcept;
+  static constexpr Follow follow_of_kind[] = {
+#define OPERATION(name, moves, drills, by_crew, follow) &OperationsPlayer::follow,
 #include "drill_rig_sim/scene/operation_list.h"
-  }
+  };
+  (this->*follow_of_kind[static_cast<std::size_t>(operations_[next_].kind)])(rig);
 }
 
 void OperationsPlayer::follow_nothing(RigControls& /*rig*/) noexcept
