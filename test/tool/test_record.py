@@ -196,7 +196,7 @@ class Dates(Folder):
                 self.dated(times, "{column: T, unit: date}")
             self.assertIn(said, str(caught.exception))
         for case in ("us.csv map.yaml", "pason.csv mapP.yaml"):
-            with self.assertRaisesRegex(RecordError, ":2: .*format.*two columns"):
+            with self.assertRaisesRegex(RecordError, ":2: .*format: "):
                 read_record(*(os.path.join(CASES, "07_dates", name) for name in case.split()))
         with self.assertRaisesRegex(RecordError, "25_date_only.csv:2: Time: 2020-11-02Z is not a date"):
             read_record(os.path.join(CASES, "23_units_and_tables/25_date_only.csv"), os.path.join(CASES, "23_units_and_tables/map.yaml"))

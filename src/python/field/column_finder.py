@@ -4,7 +4,7 @@ import re
 
 from drill_rig_sim.field.cells import is_blank, is_number
 from drill_rig_sim.field.columns import Column
-from drill_rig_sim.field.dates import form_said, is_time_of_day, seconds_of
+from drill_rig_sim.field.dates import EARLIEST, fitting, form_said, is_time_of_day, joined, seconds_of
 from drill_rig_sim.field.heading import Wanted
 from drill_rig_sim.field.signals import NAMES, OWN, known, si_unit, word
 from drill_rig_sim.field.table import RecordError, bare, shown
@@ -124,12 +124,13 @@ def time_column(table, places):
     first. A date that cannot be read comes after a column in a unit."""
     dates, times = halves(table.names)
     places = [table.index] if table.index is not None else places
-    whole = [place for place in places if seconds_of(first_cell(table, place))]
+    whole = [place for place in places if (seconds_of(first_cell(table, place)) or [EARLIEST])[0] > EARLIEST]
     in_unit = [place for place in places if table.units[place] and is_unit(table.units[place], "time") and is_number(first_cell(table, place))]
     if not whole and dates and times:
-        both = "%s %s" % (first_cell(table, dates[0]), first_cell(table, times[0]))
+        both = joined([first_cell(table, dates[0]), first_cell(table, times[0])])
         said = form_of_header(table, (dates[0], times[0]))
-        if said and seconds_of(both, said) or not in_unit and seconds_of(both) or is_time_of_day(first_cell(table, times[0])) and (not in_unit or seconds_of(both)):
+        if said and seconds_of(both, said) or not in_unit and seconds_of(both) or is_time_of_day(first_cell(table, times[0])) and (not in_unit or seconds_of(both)) \
+                or not in_unit and fitting([both]):
             return Column([table.names[dates[0]], table.names[times[0]]], DATE)
     other = [place for place in dates if seconds_of(first_cell(table, place))]
     return next((Column([table.names[place]]) for place in whole + in_unit + other + places), None)

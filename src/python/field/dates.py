@@ -4,10 +4,13 @@ import itertools
 import re
 from datetime import datetime, timedelta, timezone
 
-CLOCK = r"(?P<hour>\d\d?):(?P<minute>\d\d)(?::(?P<second>\d\d)(?:[.,](?P<fraction>\d+))?)?"
+CLOCK = r"(?P<hour>\d\d?):(?P<minute>\d\d)(?::(?P<second>\d\d)(?:(?:[.,]|:(?=\d{3}\b))(?P<fraction>\d+))?)?"
 OFFSET = r"[+-]\d\d?(?::?\d\d)?"
 ZONE = r"Z|(?:UTC|GMT)(?: ?" + OFFSET + ")?|" + OFFSET
-REST = r"[T ]+" + CLOCK + r"\s*(?P<half>[AP]M)?\s*(?P<zone>" + ZONE + ")?$"
+HALF = r"(?P<half>[AP]\.? ?M\.?(?![A-Z]))?"
+REST = r"(?:[T ]+|, ?|_)" + CLOCK + r"\s*" + HALF + r"\s*(?P<zone>" + ZONE + ")?$"
+DAY_OF_WEEK = r"(?:(?:mon|tue|wed|thu|fri|sat|sun)[a-z]*\.?,? +)?"
+MONTH = r"(?P<month>jan|feb|mar|apr|may|jun|jul|aug|sep|oct|nov|dec)[a-z]*\.?"
 # in the name of a column or in its unit: `Time (UTC+2)`, `TIME_GMT`, `Time [+02:00]`, `Time (UTC + 5.5 h)`
 HOURS = r"\s*(?:h|hrs?|hours?)"
 OFFSET_IN_NAME = r"[+\-\u2212\u2013]\s*\d\d?(?::?\d\d|[.,]\d+)?(?:" + HOURS + ")?"
@@ -19,27 +22,36 @@ NAMES_OF_ZONES = ("ACDT ACST ADT AEDT AEST AKDT AKST ART AST AWST BRT BST CAT CD
 # of the zone database as well: America/Chicago
 REGIONS = "Africa America Antarctica Arctic Asia Atlantic Australia Brazil Canada Chile Etc Europe Indian Mexico Pacific US"
 NAME_OF_ZONE = re.compile(r"(?<![A-Za-z])([Ll]ocal|LOCAL|%s|(?:%s)/[A-Za-z_]+(?:/[A-Za-z_]+)?)(?![A-Za-z])" % ("|".join(NAMES_OF_ZONES.split()), "|".join(REGIONS.split())))
-# whose order of day and month needs no guess: year first, months by name, points (day first)
-UNMISTAKABLE = [re.compile(date + REST, re.IGNORECASE) for date in (
-    r"(?P<year>\d{4})(?P<sign>[-/.])(?P<month>\d\d?)(?P=sign)(?P<day>\d\d?)",
-    r"(?P<day>\d\d?)(?P<sign>[-/ ])(?P<month>jan|feb|mar|apr|may|jun|jul|aug|sep|oct|nov|dec)[a-z]*(?P=sign)(?P<year>\d{4})",
-    r"(?P<day>\d\d?)\.(?P<month>\d\d?)\.(?P<year>\d{4})")]
-# of ISO 8601 without signs: 20240521T095950Z, 20240521 095950
-UNMISTAKABLE += [re.compile(r"(?P<year>(?:19|20)\d\d)(?P<month>\d\d)(?P<day>\d\d)[T ](?P<hour>\d\d)(?P<minute>\d\d)(?P<second>\d\d)(?:[.,](?P<fraction>\d+))?(?P<half>)"
-                            r"(?P<zone>" + ZONE + ")?$", re.IGNORECASE)]
+# whose order of day and month needs no guess: year first, months by name, points (day first), the day of the year
+UNMISTAKABLE = [re.compile(form, re.IGNORECASE) for form in (
+    r"(?P<year>\d{4})(?P<sign>[-/.])(?P<month>\d\d?)(?P=sign)(?P<day>\d\d?)" + REST,
+    DAY_OF_WEEK + r"(?P<day>\d\d?)(?P<sign>[-/ ]|\. ?|)" + MONTH + r"(?P=sign)(?P<year>\d{4})" + REST,
+    r"(?P<day>\d\d?)\.(?P<month>\d\d?)\.(?P<year>\d{4})" + REST,
+    DAY_OF_WEEK + MONTH + r" +(?P<day>\d\d?),? +(?P<year>\d{4})" + REST,
+    DAY_OF_WEEK + MONTH + r" +(?P<day>\d\d?) +" + CLOCK + r"(?P<half>)(?: +(?P<zone>" + ZONE + r"))? +(?P<year>\d{4})$",  # of ctime
+    r"(?P<year>\d{4})[-/. ](?P<day_of_year>\d{3})" + REST,
+    r"(?P<year>\d{4}):(?P<day_of_year>\d{3}):" + CLOCK + r"(?P<half>)(?P<zone>Z)?$",
+    # of ISO 8601 without signs: 20240521T095950Z, 20240521 095950, 2024142T095950
+    r"(?P<year>(?:19|20)\d\d)(?:(?P<month>\d\d)(?P<day>\d\d)|(?P<day_of_year>\d{3}))[T _](?P<hour>\d\d)(?P<minute>\d\d)(?P<second>\d\d)(?:[.,](?P<fraction>\d+))?(?P<half>)"
+    r"(?P<zone>" + ZONE + ")?$")]
 MONTHS = "jan feb mar apr may jun jul aug sep oct nov dec".split()
 ELAPSED = re.compile(r"(?:(\d+)\s*(?:d|days?)[,\s]*)?(\d+):([0-5]?\d):([0-5]?\d(?:[.,]\d+)?)$", re.IGNORECASE)
 TWO_PARTS = re.compile(r"(\d+):([0-5]\d(?:[.,]\d+)?)$")
 OF_DAY = re.compile(CLOCK + r"\s*([AP]M)?$", re.IGNORECASE)
 TOUCHING = re.compile(r"%[a-zA-Z]%[a-zA-Z]")
-GUESSED = [date + " " + clock for date, clock in itertools.product(
-    ("%d/%m/%Y", "%m/%d/%Y", "%d-%m-%Y", "%m-%d-%Y", "%d/%m/%y", "%m/%d/%y", "%d.%m.%y", "%y.%m.%d", "%y/%m/%d", "%y-%m-%d", "%d-%b-%y", "%d%b%Y", "%b %d %Y",
-     "%Y%m%d"),
-    ("%H:%M:%S", "%H:%M:%S.%f", "%I:%M:%S %p", "%H:%M", "%I:%M %p"))]
-GUESSED += ["%Y%m%dT%H%M%SZ", "%Y%m%dT%H%M%S", "%Y%m%d %H%M%S", "%y%m%d %H%M%S", "%Y%m%d%H%M%S", "%H:%M:%S", "%H:%M:%S.%f", "%I:%M:%S %p"]
+DAYS = ("%d/%m/%Y", "%m/%d/%Y", "%d-%m-%Y", "%m-%d-%Y", "%d/%m/%y", "%m/%d/%y", "%d.%m.%y", "%y.%m.%d", "%y/%m/%d", "%y-%m-%d", "%d-%b-%y", "%d %b %y", "%b %d %y", "%Y%m%d",
+        "%d%m%Y", "%y%m%d", "%d.%m.%Y", "%Y-%m-%d", "%Y/%m/%d", "%j/%Y", "%y-%j", "%Y\u5e74%m\u6708%d\u65e5")
+CLOCKS = ("%H:%M:%S", "%H:%M:%S.%f", "%I:%M:%S %p", "%H:%M", "%I:%M %p", "%I:%M:%S%p", "%H.%M.%S", "%H-%M-%S", "%Hh%Mm%Ss", "%H%M%S", "%H\u65f6%M\u5206%S\u79d2")
+GUESSED = [" ".join(both) for both in itertools.product(DAYS, CLOCKS)] + [clock + " " + day for clock, day in itertools.product(CLOCKS[:5], DAYS)]
+GUESSED += ["%Y-%m-%d-%H-%M-%S", "%Y-%m-%d-%H:%M:%S", "%Y-%m-%d_%H-%M-%S", "%Y%m%d%H%M%S", "%Y%m%d%H%M", "%y%m%d%H%M%S", "%d%m%Y%H%M%S", *CLOCKS[:3], "%j:%H:%M:%S", "%j %H:%M:%S"]
 MOST_GUESSES = 3
 LONGEST = 80  # signs of a date
 MOST_OFFSET = 14 * 60  # of a time zone [min]
+EARLIEST = -20 * 365.25 * 86400.0  # of a record, 1950 [s]; dates before it stand for none
+# as databases write a day that has no time, and a time that has no day
+MIDNIGHT = re.compile(r"[T ]+(?:0?0:00(?::00(?:\.0+)?)?|12:00(?::00)? ?AM)$", re.IGNORECASE)
+NO_DAY = re.compile(r"(?:1899-12-3[01]|1900-01-0[01]|12/30/1899|30[./]12[./]1899|1970-01-01)[T ]+")
+SPREADSHEET = (32874.0, 73051.0)  # days since 1899-12-30, of the years 1990 to 2099
 
 
 FIELDS = {"yyyy": "%Y", "yy": "%y", "dd": "%d", "mmm": "%b", "mon": "%b", "hh": "%H", "ss": "%S", "t": "T"}  # as headers write them; mm is a month or a minute
@@ -94,16 +106,24 @@ def by_form(text, form):
 
 
 def unmistakable(text):
-    found = next(filter(None, (form.match(text) for form in UNMISTAKABLE)), None)
+    found = next((match for match in (form.match(text) for form in UNMISTAKABLE) if match), None)
     if found is None:
         return None
-    year, month, day, hour, minute, second = (found[name] or "0" for name in ("year", "month", "day", "hour", "minute", "second"))
-    month = int(month) if month.isdigit() else 1 + MONTHS.index(month[:3].lower())
-    if found["half"] and not 1 <= int(hour) <= 12:
+    parts = found.groupdict()
+    year, hour, minute, second = (int(parts[name] or 0) for name in ("year", "hour", "minute", "second"))
+    if parts["half"]:
+        if not 1 <= hour <= 12:
+            return None
+        hour = hour % 12 + 12 * (parts["half"][0].upper() == "P")
+    day = datetime(year, month_of(parts["month"]), int(parts["day"])) if parts.get("month") else datetime(year, 1, 1) + timedelta(days=int(parts["day_of_year"]) - 1)
+    if day.year != year or hour > 24 or minute > 59 or second > 60:  # 24:00:05 is of the next day, 23:59:60 the end of this one
         return None
-    hour = int(hour) % 12 + 12 * (found["half"].upper() == "PM") if found["half"] else int(hour)
-    when = datetime(int(year), month, int(day), hour, int(minute), int(second), int(((found["fraction"] or "") + "000000")[:6]))
-    return when if found["zone"] is None else when.replace(tzinfo=zone_of(found["zone"]))
+    when = day + timedelta(hours=hour, minutes=minute, seconds=second, microseconds=int(((parts["fraction"] or "") + "000000")[:6]))
+    return when if parts["zone"] is None else when.replace(tzinfo=zone_of(parts["zone"]))
+
+
+def month_of(text):
+    return int(text) if text.isdigit() else 1 + MONTHS.index(text[:3].lower())
 
 
 def zone_of(text):
@@ -169,19 +189,43 @@ def elapsed_of(cells, header):
     return found if sure and any(cells) else None
 
 
+def joined(cells):
+    """The text of a date in one cell, or in two: a day and a time of the day."""
+    if len(cells) == 2:
+        cells = MIDNIGHT.sub("", cells[0]), NO_DAY.sub("", cells[1])
+    return " ".join(cells).strip()
+
+
 def is_time_of_day(text):
     return len(text) <= LONGEST and OF_DAY.match(text.strip()) is not None
 
 
-def forms_for(cells):
-    """What may be written of dates, for a message; the formats that read all of these cells are named, and a zone that has only a name."""
+def fitting(cells):
+    """The formats of GUESSED that read all of these cells."""
+    return [form for form in GUESSED if all(seconds_of(cell, form) for cell in cells)] if cells else []
+
+
+def forms_for(cells, names):
+    """What may be written of dates in the columns `names`, for a message; the formats that read all of these cells are named, and a zone that has only a name."""
     named = NAME_OF_ZONE.search(cells[0]) if cells else None
     if named and seconds_of(NAME_OF_ZONE.sub("", cells[0])):
         return "a time zone such as UTC-06:00, because %s is ambiguous" % named[1]
-    fitting = [form for form in GUESSED if all(seconds_of(cell, form) for cell in cells)] if cells else []
-    example = ' or '.join('"%s"' % form for form in fitting[:MOST_GUESSES]) or '"%m/%d/%Y %I:%M:%S %p"'
-    return ("ISO 8601 such as 2017-07-31T23:59:00Z, or a format in a map: {column: ..., unit: date, format: %s}, or date and time in two columns: "
-            "{column: [DATE, TIME], unit: date}" % example)
+    found = fitting(cells)
+    example = ' or '.join('"%s"' % form for form in found[:MOST_GUESSES]) or '"%m/%d/%Y %I:%M:%S %p" (codes of strptime)'
+    own = "a format in a map: {column: %s, unit: date, format: %s}" % (names[0] if len(names) == 1 else "[%s]" % ", ".join(names), example)
+    return own if found else "ISO 8601 such as 2017-07-31T23:59:00Z, or %s%s" % (
+        own, ", or date and time in two columns: {column: [DATE, TIME], unit: date}" if len(names) == 1 else "")
+
+
+def number_as_time(text, name):
+    """(what a number without a unit may be as a time, a line of a map for it), for a message; None where it may be anything."""
+    number = float(text)
+    unit, what = next(((unit, "%s since 1970" % unit) for unit, count in (("s", 1.0), ("ms", 1e3), ("us", 1e6)) if 6.3e8 <= number / count < 4.1e9), (None, None))
+    if SPREADSHEET[0] <= number < SPREADSHEET[1] and "." in text:
+        unit, what = "d", "a spreadsheet's days since 1899-12-30"
+    elif 0.0 < number < 1.0:
+        unit, what = "d", "a share of a day"
+    return (what, "{column: %s, unit: %s}" % (name, unit)) if unit else None
 
 
 def written(seconds):

@@ -16,6 +16,7 @@ from drill_rig_sim.field.witsml import read_witsml
 MOST_DAYS = 400.0  # that a record may last
 COMPARED = ("hook_load", "torque", "stand_pipe_pressure")  # with what is simulated; the others are played
 BELOW_BOTTOM = 1.0  # from which on a bit below the hole's bottom is reported [m]
+SPACINGS = (1e-3, 120.0)  # of a record's rows [s]; others are reported
 LONG_GAP, SHORTEST_GAP = 10.0, 5.0  # of rows' distance, and s, from which on a gap is reported
 
 
@@ -138,6 +139,9 @@ def remarks_of(record):
         if not good.all():
             filled = "" if signal in COMPARED else bridged(record.time, good)
             lines.append("%s: %d of %d rows hold no measurement%s" % (signal, (~good).sum(), len(values), filled))
+    spacing = float(numpy.median(numpy.diff(record.time)))
+    if not SPACINGS[0] <= spacing <= SPACINGS[1]:
+        lines.append("its rows are %.3g s apart; check the unit of the time" % spacing)
     longest, begin = longest_step(record.time)
     if longest > long_step(record.time):
         lines.append("a gap of %.4g s from %.6g s on" % (longest, begin))

@@ -4,7 +4,7 @@ import numpy
 from drill_rig_sim.field.cell_units import take_units
 from drill_rig_sim.field.cells import is_blank, is_foreign_number, is_number
 from drill_rig_sim.field.column_finder import columns_of, form_of_header, zones_in
-from drill_rig_sim.field.dates import elapsed_of, form_in, forms_for, offset_of, own_offset, seconds_of, zone_said
+from drill_rig_sim.field.dates import elapsed_of, fitting, form_in, forms_for, joined, number_as_time, offset_of, own_offset, seconds_of, zone_said
 from drill_rig_sim.field.signals import SIGNALS, word
 from drill_rig_sim.field.table import RecordError
 from drill_rig_sim.field.units import UnitError, factor_of, is_unit
@@ -67,7 +67,7 @@ def of_others(table, signals, remarks):
 def times_of(table, column, mapped, remarks):
     """(seconds by row, nan where there is none; whether they are dates; the offset of the header's time zone [s])."""
     places = [table.column(name) for name in column.names]
-    cells = [" ".join("" if is_null(row[place]) else row[place].strip() for place in places).strip() for row in table.rows]
+    cells = [joined(["" if is_null(row[place]) else row[place].strip() for place in places]) for row in table.rows]
     elapsed = elapsed_of(cells, " ".join([*column.names, table.units[places[0]] or ""])) if len(places) == 1 and not column.unit and not column.form else None
     if elapsed is not None:
         remarks.append("%s: is read as elapsed time (first: %s: %s)" % (column.names[0], *next((table.place(k), cell) for k, cell in enumerate(cells) if cell)))
@@ -81,19 +81,21 @@ def times_of(table, column, mapped, remarks):
     first = next((k for k, cell in enumerate(cells) if cell), None)
     if first is not None and not is_number(cells[first]) and not (unit and is_unit(unit, "time")):
         raise no_date(table, first, column, cells)
-    if unit is None:
-        needed = "unit: in the map" if mapped else "a map, --columns, with its unit"
-        raise RecordError("%s: %s: the time has no unit and is not a date (first: %s%s); needed: %s" %
-                          (table.file, column.names[0], "no rows" if first is None else cells[first], looks_like(cells, first), needed))
-    factor = factor_for(table, "time", column.names[0], unit)
+    factor = None if unit is None else factor_for(table, "time", column.names[0], unit)
+    if factor is None:
+        raise no_unit(table, first, column, cells, mapped)
     return numbers_or_refuse(table, column.names[0], cells, NULLS, "a number of %s" % unit, remarks) * factor, False, 0.0
 
 
-def looks_like(cells, first):
-    """What a time without a unit may be, for a message: seconds or parts of them since 1970, where they are of the years 1990 to 2100."""
-    number = float(cells[first]) if first is not None else 0.0
-    unit = next((unit for unit, count in (("s", 1.0), ("ms", 1e3), ("us", 1e6)) if 6.3e8 <= number / count < 4.1e9), None)
-    return ", as %s since 1970" % unit if unit else ""
+def no_unit(table, first, column, cells, mapped):
+    """The error of a time that is a number without a unit; `first`: row of the first one."""
+    name, cell = column.names[0], "no rows" if first is None else cells[first]
+    if first is not None and fitting(cells[first:first + 1]):
+        return no_date(table, first, column, cells)
+    what, line = (number_as_time(cell, name) if first is not None else None) or (None, None)
+    needed = (" " + line) if line else " with its unit"
+    return RecordError("%s: %s: the time has no unit and is not a date (first: %s%s); needed: %s" %
+                       (table.file, name, cell, ", as " + what if what else "", "unit: in the map" if mapped and not line else "a map, --columns,%s" % needed))
 
 
 NO_OFFSET = "%s: the time zone %s is not known by its offset: the dates are taken as UTC; needed where that matters: UTC-06:00"
@@ -181,11 +183,12 @@ def dates_of(table, cells, column, said):
 
 
 def no_date(table, k, column, cells):
-    """The error of a cell; formats that read others of the column as well are named."""
+    """The error of a cell; formats that read others of the column as well are named, or the unit of a number."""
     some = [cell for cell in cells if cell]
-    return RecordError("%s: %s: %s is not a date with a time of day%s; allowed: %s" %
-                       (table.place(k), " and ".join(column.names), cells[k], " by the format %s" % column.form if column.form else "",
-                        forms_for(some[::1 + len(some) // MOST_GUESSED])))
+    what, line = (number_as_time(cells[k], column.names[0]) if is_number(cells[k]) and len(column.names) == 1 else None) or ("", None)
+    return RecordError("%s: %s: %s is not a date with a time of day%s; %s" %
+                       (table.place(k), " and ".join(column.names), cells[k], " by the format %s" % column.form if column.form else ", but %s" % what if what else "",
+                        "needed: a map, --columns, " + line if line else "allowed: " + forms_for(some[::1 + len(some) // MOST_GUESSED], column.names)))
 
 
 # --- values
