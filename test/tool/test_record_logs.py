@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
 """Records of rigs as logs of WITSML and LAS: what such a file says of itself is obeyed or refused. See test_record.py."""
+import html
 import math
 import os
 import unittest
@@ -128,6 +129,35 @@ class Witsml(Folder):
         self.right(self.read(witsml().replace("</logs>", depth + "</logs>"), name="r.xml"), ["log 2 is skipped: its index is measured depth"])
         with self.assertRaisesRegex(RecordError, "some of its tables have dates, others seconds"):
             read_record([self.file("a.xml", one), self.file("d.csv", "Time (s),BPOS (ft)\n0,1\n5,2\n")])
+
+    def test_which_wellbore_a_log_is_of(self):
+        """A log without uids is of the well of its names; several files of other wells are joined, which is reported."""
+        rows = ["%s,%g,%g,0.1" % (stamp, h, b) for stamp, (_, h, b) in zip(STAMPS, ROWS)]
+        log = lambda text: text[text.index("<log", text.index("<logs") + 5):text.index("</logs>")]
+        later = witsml(rows=rows[2:])
+        for other in (later.replace(' uidWell="w" uidWellbore="b"', ""), later.replace(' uidWell="w" uidWellbore="b"', "").replace("<nameWell>w<", "<nameWell> W<")):
+            self.right(self.read(witsml(rows=rows[:2]).replace("</logs>", log(other) + "</logs>"), name="r.xml"))
+        files = self.file("a.xml", witsml(rows=rows[:2])), self.file("b.xml", later.replace("<nameWell>w<", "<nameWell>v<"))
+        self.right(read_record(files), ["a.xml is of well w/b, ", "b.xml of v/b; they are joined as one well"])
+        self.right(read_record([self.file("a.xml", witsml(rows=rows[:2])), self.file("d.las", las("TIME. : t\nHKLD.klbf : h\nBPOS.FT : b\n", ["%s %g %g" % (stamp, h, b) for stamp, (_, h, b) in list(
+            zip(STAMPS, ROWS))[2:]]).replace("~CURVE", " WELL. v-2 : name\n~CURVE"))]), ["d.las of v-2; they are joined as one well"])
+        mixed = read_record([self.file("a.xml", witsml(rows=rows[:2])), self.file("c.csv", "DateTime,HKLD (klbf),BPOS (ft)\n" + "\n".join(row[:-4].replace("Z", "") for row in rows[2:]) + "\n")])
+        self.right(mixed, ["a.xml have a time zone, those of ", "c.csv have none and are taken as UTC"])
+
+    def test_answers_of_servers_and_rows_in_one_element(self):
+        rows = ["%s,%g,%g,0.1" % (stamp, h, b) for stamp, (_, h, b) in zip(STAMPS, ROWS)]
+        answer = '<?xml version="1.0"?><e:Envelope xmlns:e="http://schemas.xmlsoap.org/soap/envelope/"><e:Body><XMLout>%s</XMLout></e:Body></e:Envelope>'
+        self.right(self.read(answer % html.escape(witsml()), name="r.xml"))
+        self.refused("its root is Envelope, and it holds no log", answer % html.escape(witsml()[:300]), name="r.xml")
+        self.right(self.xml(rows=["\n".join(rows)]))
+        self.right(self.xml(rows=["\n  %s\n" % row for row in rows]))
+        self.refused("data row 1 has 16 values", witsml(rows=[" ; ".join(rows).replace(" ; ", ",")]), name="r.xml")
+
+    def test_index_types_and_units_as_programs_write_them(self):
+        for kind in ("datetime", "Date Time", "time"):
+            self.right(self.xml(index=kind))
+        infos = "".join("<logCurveInfo><mnemonic>%s</mnemonic><unit>%s</unit></logCurveInfo>" % curve for curve in (("HKLD", "klbf"), ("BLOCKCOMP", "ft"), ("TIME", "s")))
+        self.right(self.read(witsml(log=infos).replace("<unitList>s,klbf,ft,%</unitList>", "<unitList/>"), name="r.xml"))
 
     def test_version_1311(self):
         curves = "".join("<logCurveInfo><mnemonic>%s</mnemonic><unit>%s</unit><columnIndex>%d</columnIndex></logCurveInfo>" % curve

@@ -90,7 +90,9 @@ def table_of(file, lines, data, version, well, times, first):
     remarks = start_differs(names, units, rows, well) if index == 0 and first else []
     if index == 0 and goes_down(well) and rows and not is_later(rows[-1][0], rows[0][0]):
         rows, places = rows[::-1], places[::-1]
-    return Table(file, names, units, rows, places, [(float(null),) if is_number(null) else ()] * len(names), index, remarks=remarks)
+    table = Table(file, names, units, rows, places, [(float(null),) if is_number(null) else ()] * len(names), index, remarks=remarks)
+    table.well = well.get("WELL", ("", ""))[1], ""
+    return table
 
 
 def forms_of(lines):

@@ -9,6 +9,7 @@ from drill_rig_sim.field.dates import written
 from drill_rig_sim.field.files import begins_with, bytes_of, text_of
 from drill_rig_sim.field.las import read_las
 from drill_rig_sim.field.signal_reader import part_of
+from drill_rig_sim.field.signals import word
 from drill_rig_sim.field.table import Layout, RecordError, read_delimited
 from drill_rig_sim.field.unit_change import unit_changes
 from drill_rig_sim.field.witsml import read_witsml
@@ -33,7 +34,7 @@ class Record:
             check_order(part)
         self.remarks = [line for part in parts for line in prefixed(part.table.file, part.remarks)]
         self.signals, said = joined(parts)
-        said += both_hold(parts) + leave_out_empty(self.signals)
+        said += both_hold(parts) + of_one_well(parts) + leave_out_empty(self.signals)
         time = self.signals["time"]
         if len(time) < 2:
             rows = sum(len(part.signals["time"]) for part in parts)
@@ -109,6 +110,19 @@ def both_hold(parts):
             if begin < end and alike and not any(numpy.isin(first, second).all() for first, second in (inside, inside[::-1])):
                 what = "dates" if one.dated else "seconds; dates are needed where these begin anew in each file"
                 lines.append("%s and %s both hold %s at the same %s: rows of both are used in turn" % (one.table.file, other.table.file, ", ".join(alike), what))
+    return lines
+
+
+def of_one_well(parts):
+    """Lines on files that name different wells, and on dates with and without a time zone."""
+    lines, first = [], next((part for part in parts if part.table.well[0]), None)
+    other = next((part for part in parts if first and any(all(both) and word(both[0]) != word(both[1]) for both in zip(part.table.well, first.table.well))), None)
+    if other:
+        lines.append("%s is of well %s, %s of %s; they are joined as one well" % tuple(
+            text for part in (first, other) for text in (part.table.file, "/".join(filter(None, part.table.well)))))
+    apart = [next((part.table.file for part in parts if part.zoned is zoned), None) for zoned in (True, False)]
+    if None not in apart and parts[0].dated:
+        lines.append("the dates of %s have a time zone, those of %s have none and are taken as UTC" % tuple(apart))
     return lines
 
 

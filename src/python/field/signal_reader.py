@@ -19,11 +19,11 @@ MOST_ODD = 0.5  # share of the numbers out of a signal's range from which on the
 
 
 class Part:
-    """Of one table: `signals` in SI by name, `time` among them; `dated`: it is in seconds since 1970, else since any instant. `offset`: of the time zone that the
-    header says [s], 0 without one. `rows`: the table's row of each. `remarks`: a line each."""
+    """Of one table: `signals` in SI by name, `time` among them; `dated`: it is in seconds since 1970, else since any instant. `zoned`: the dates or the header say a
+    time zone. `offset`: of that of the header [s], 0 without one. `rows`: the table's row of each. `remarks`: a line each."""
 
-    def __init__(self, table, signals, dated, offset, rows, remarks):
-        self.table, self.signals, self.dated, self.offset, self.rows, self.remarks = table, signals, dated, offset, rows, remarks
+    def __init__(self, table, signals, dated, zoned, offset, rows, remarks):
+        self.table, self.signals, self.dated, self.zoned, self.offset, self.rows, self.remarks = table, signals, dated, zoned, offset, rows, remarks
 
     def place(self, k):
         return self.table.place(self.rows[k])
@@ -38,7 +38,7 @@ def part_of(table, columns=None):
     if "time" not in wanted:
         raise RecordError("%s: no column is recognised as the time; columns: %s; needed: a map, --columns" % (table.file, table.header()))
     signals = {}
-    time, dated, offset = times_of(table, wanted["time"], "time" in mapped, remarks)
+    time, dated, zoned, offset = times_of(table, wanted["time"], "time" in mapped, remarks)
     for signal, column in wanted.items():
         if signal == "time":
             continue
@@ -50,7 +50,7 @@ def part_of(table, columns=None):
         remarks.append("%d rows have no time and are left out (first: %s)" % ((~timed).sum(), table.place(int(numpy.flatnonzero(~timed)[0]))))
     rows = numpy.flatnonzero(timed & ~of_others(table, signals, remarks))
     signals = {"time": time[rows], **{signal: values[rows] for signal, values in signals.items()}}
-    return Part(table, signals, dated, offset, rows, remarks)
+    return Part(table, signals, dated, zoned, offset, rows, remarks)
 
 
 def of_others(table, signals, remarks):
@@ -65,18 +65,19 @@ def of_others(table, signals, remarks):
 # --- time
 
 def times_of(table, column, mapped, remarks):
-    """(seconds by row, nan where there is none; whether they are dates; the offset of the header's time zone [s])."""
+    """(seconds by row, nan where there is none; whether they are dates; whether these have a time zone; the offset of the header's time zone [s])."""
     places = [table.column(name) for name in column.names]
     cells = [joined(["" if is_null(row[place]) else row[place].strip() for place in places]) for row in table.rows]
     elapsed = elapsed_of(cells, " ".join([*column.names, table.units[places[0]] or ""])) if len(places) == 1 and not column.unit and not column.form else None
     if elapsed is not None:
         remarks.append("%s: is read as elapsed time (first: %s: %s)" % (column.names[0], *next((table.place(k), cell) for k, cell in enumerate(cells) if cell)))
-        return numpy.array(elapsed), False, 0.0
+        return numpy.array(elapsed), False, False, 0.0
     if is_date(table, places, column, cells):
         time, zoned = dates_of(table, cells, column, form_of_header(table, places))
         offsets = numpy.zeros(len(time)) if zoned else offsets_by_row(table, places, remarks)
         remarks += unused_zone(table, places, cells, column.form) if zoned else []
-        return time - offsets, True, float(offsets[0]) if len(offsets) else 0.0
+        said = zoned or bool(zone_said(texts_of(table, places))[1]) or bool(zones_in(table.names))
+        return time - offsets, True, said, float(offsets[0]) if len(offsets) else 0.0
     unit = unit_of(table, places[0], column, "time")
     first = next((k for k, cell in enumerate(cells) if cell), None)
     if first is not None and not is_number(cells[first]) and not (unit and is_unit(unit, "time")):
@@ -84,7 +85,7 @@ def times_of(table, column, mapped, remarks):
     factor = None if unit is None else factor_for(table, "time", column.names[0], unit)
     if factor is None:
         raise no_unit(table, first, column, cells, mapped)
-    return numbers_or_refuse(table, column.names[0], cells, NULLS, "a number of %s" % unit, remarks) * factor, False, 0.0
+    return numbers_or_refuse(table, column.names[0], cells, NULLS, "a number of %s" % unit, remarks) * factor, False, False, 0.0
 
 
 def no_unit(table, first, column, cells, mapped):
@@ -120,9 +121,14 @@ def offsets_by_row(table, places, remarks):
     return numpy.array(found, dtype=float)
 
 
+def texts_of(table, places):
+    """Names and units of columns."""
+    return [text for place in places for text in (table.names[place], table.units[place]) if text]
+
+
 def offset_said(table, places, remarks):
     """Of the time zone in the header [s]; reported."""
-    zone, text = zone_said([text for place in places for text in (table.names[place], table.units[place]) if text])
+    zone, text = zone_said(texts_of(table, places))
     name = table.names[places[0]]
     offset = zone.utcoffset(None).total_seconds() if zone else 0.0
     if offset:
@@ -137,7 +143,7 @@ def offset_said(table, places, remarks):
 
 def unused_zone(table, places, cells, form):
     """A line, where the dates have a time zone of their own and the header says another."""
-    zone, text = zone_said([text for place in places for text in (table.names[place], table.units[place]) if text])
+    zone, text = zone_said(texts_of(table, places))
     first = next((cell for cell in cells if cell), "")
     if zone is None or own_offset(first, form) in (None, zone.utcoffset(None).total_seconds()):
         return []

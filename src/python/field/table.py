@@ -23,11 +23,12 @@ class RecordError(Refusal):
 class Table:
     """`names` and `units` (None where the file does not say) by column; `rows`: lists of texts, all as long as `names`; `place(k)`: where row k stands, as
     FILE:LINE or FILE: row N. `nulls`: values that stand for no number, by column. `index`: place of the column that the file calls its index, or None, and
-    `index_is_date`, None where the file does not say. `remarks`: what was noticed, without the file's name. `unit_cells`: of columns whose cells hold their unit, the first such cell."""
+    `index_is_date`, None where the file does not say. `remarks`: what was noticed, without the file's name. `unit_cells`: of columns whose cells hold their unit, the
+    first such cell. `well`: names of well and wellbore, "" where the file does not say."""
 
     def __init__(self, file, names, units, rows, places, nulls=None, index=None, index_is_date=None, remarks=()):
         self.file, self.names, self.units, self.rows, self.places = file, names, units, rows, places
-        self.unit_cells = {}
+        self.unit_cells, self.well = {}, ("", "")
         self.nulls = nulls or [()] * len(names)
         self.index, self.index_is_date, self.remarks = index, index_is_date, list(remarks)
 

@@ -11,20 +11,22 @@ from drill_rig_sim.field.table import RecordError, Table, shown
 from drill_rig_sim.field.units import same_unit
 
 DECLARATION = re.compile(r"<\?xml[^>]*\?>\s*")
-TIME_INDEX = {"date time": True, "elapsed time": False}  # whether its cells are dates
+TIME_INDEX = {"date time": True, "datetime": True, "elapsed time": False, "time": None}  # whether its cells are dates
 
 
 def read_witsml(file, data, times=()):
     """Tables of the document `data` (bytes) that have an index or a curve of time; the others are reported in the first's remarks. RecordError where none has, and
     where the logs are of several wells. `times`: names of a curve of time, besides those of the trade."""
     root, remarks = parsed(file, data)
+    root, more = answer_in(file, root)
+    remarks += more
     logs = [log for log in root.iter("{*}log") if log.find("{*}logData") is not None]
     sets = [] if logs else sets_of(root)
     if not logs and not sets:
         raise RecordError("%s: its root is %s, and it holds no log of WITSML 1.3.1.1, 1.4.1.1 or 2.0 with data" % (file, name_of(root)))
-    wells = sorted({wellbore_of(log) for log in logs}) or wells_of(root)
+    wells = wellbores_of(logs) or [(title, "") for title in wells_of(root)]
     if len(wells) > 1:
-        raise RecordError("%s: holds logs of %d wellbores (%s); needed: one" % (file, len(wells), ", ".join(wells)))
+        raise RecordError("%s: holds logs of %d wellbores (%s); needed: one" % (file, len(wells), ", ".join("/".join(filter(None, well)) for well in wells)))
     tables, passed = [], []
     for number, log in enumerate(logs or sets, 1):
         try:
@@ -33,6 +35,8 @@ def read_witsml(file, data, times=()):
             passed.append((number, reason))
     if not tables:
         raise RecordError("%s: %s" % (file, passed[0][1] if passed else "its logs hold no rows"))
+    for table in tables:
+        table.well = wells[0] if wells else ("", "")
     tables[0].remarks += remarks + ["log %d is skipped: %s" % one for one in passed]
     return tables
 
@@ -45,8 +49,30 @@ def tables_of_log(file, log, times):
     return [table_of(file, log, block, times) for block in log.findall("{*}logData") if block.find("{*}data") is not None]
 
 
-def wellbore_of(log):
-    return "%s/%s" % (log.get("uidWell") or log.findtext("{*}nameWell") or "", log.get("uidWellbore") or log.findtext("{*}nameWellbore") or "")
+def wellbores_of(logs):
+    """(well, wellbore) of these logs, by name, or by uid where names are missing or alike."""
+    found = []
+    for log in logs:
+        uids = [(log.get(name) or "").strip() for name in ("uidWell", "uidWellbore")]
+        names = [(log.findtext("{*}" + name) or "").strip() for name in ("nameWell", "nameWellbore")]
+        if not any(are_of_one(uids, names, *known) for known in found):
+            found.append((uids, names))
+    named = [tuple(names) for _, names in found if all(names)]
+    return sorted(named if len(set(named)) == len(found) else [tuple(uids) for uids, _ in found])
+
+
+def are_of_one(uids, names, other_uids, other_names):
+    """Whether two logs are of one wellbore: by their uids, where one has none by their names."""
+    if all(uids) and all(other_uids):
+        return uids == other_uids
+    return [word(name) for name in names] == [word(name) for name in other_names]
+
+
+def answer_in(file, root):
+    """The document in the answer of a server (SOAP), and lines on its encoding; the root itself where it is none."""
+    inner = next(root.iter("{*}XMLout"), None)
+    text = (inner.text or "").strip() if inner is not None else ""
+    return parsed(file, DECLARATION.sub("", text).encode()) if text.startswith("<") else (root, [])
 
 
 def parsed(file, data):
@@ -148,7 +174,7 @@ def with_list(log, block):
 def listed(file, block, infos, delimiter):
     names = [name.strip() for name in block.findtext("{*}mnemonicList").split(delimiter)]
     known = [infos.get(name, {}).get("unit") for name in names]
-    if block.find("{*}unitList") is None:
+    if not (block.findtext("{*}unitList") or "").strip():
         return names, known, []
     units = [unit.strip() or None for unit in (block.findtext("{*}unitList") or "").split(delimiter)]
     if len(units) != len(names):
@@ -171,13 +197,15 @@ def by_place(file, places, most):
 
 
 def rows_of(block, delimiter):
-    """Cells of each row, and where it stands. Texts that hold the delimiter are in quotes."""
+    """Cells of each row, and where it stands. Texts that hold the delimiter are in quotes; an element may hold a row in each line."""
     rows, places = [], []
     for number, data in enumerate(block.findall("{*}data"), 1):
-        text = data.text or ""
-        quoted = '"' in text and len(delimiter) == 1
-        rows.append(next(csv.reader([" ".join(text.split("\n"))], delimiter=delimiter, skipinitialspace=True)) if quoted else text.split(delimiter))
-        places.append("%d: data row %d" % (data.sourceline, number))
+        lines = [line.strip() for line in (data.text or "").split("\n") if line.strip()]
+        apart = len(lines) > 1 and delimiter in lines[0] and len({line.count(delimiter) for line in lines}) == 1
+        for text in lines if apart else [" ".join((data.text or "").split("\n"))]:
+            quoted = '"' in text and len(delimiter) == 1
+            rows.append(next(csv.reader([text], delimiter=delimiter, skipinitialspace=True)) if quoted else text.split(delimiter))
+            places.append("%d: data row %d" % (data.sourceline, number))
     return rows, places
 
 
