@@ -13,79 +13,20 @@
 #include "drill_rig_sim/well/well_checks.h"
 #include "survey_digits.h"
 #include "survey_header.h"
+#include "survey_split.h"
 
 namespace drill_rig_sim
 {
 namespace
 {
-using Cells = std::vector<std::string>;
-
-constexpr std::size_t most_columns = 256;  // what stands beyond is not looked at
 constexpr int most_lines_above_header = 50;
 constexpr std::size_t most_lines_of_header = 3;
-constexpr const char* blanks = " \t\r";
-
 struct Delimiter
 {
   char character;
   const char* name;
 };
 constexpr std::array<Delimiter, 5> delimiters = {{{',', ","}, {';', ";"}, {'\t', "tab"}, {'|', "bar"}, {' ', "space"}}};
-
-std::string trimmed(const std::string& text)
-{
-  const std::size_t first = text.find_first_not_of(blanks);
-  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
-
-// A cell's text: what is in quotes holds blanks and delimiters too, two quotes are one; one within a cell means seconds.
-Cells cells_of(const std::string& line, char delimiter)
-{
-  Cells cells(1);
-  bool quoted = false;
-  for (std::size_t i = 0; i < line.size(); ++i)
-  {
-    const char c = line[i];
-    if (c == '"' && quoted && i + 1 < line.size() && line[i + 1] == '"')
-      cells.back() += line[i++];
-    else if (c == '"' && (quoted || trimmed(cells.back()).empty()))
-      quoted = !quoted;
-    else if (c != delimiter || quoted)
-      cells.back() += c;
-    else if (cells.size() == most_columns)
-      break;
-    else
-      cells.emplace_back();
-  }
-  for (std::string& cell : cells) cell = trimmed(cell);
-  return cells;
-}
-
-bool is_bracket(char c)
-{
-  return c == '(' || c == '[';
-}
-
-// words parted by blanks; a unit in brackets belongs to the word before it
-Cells words_between_blanks(const std::string& line)
-{
-  Cells words;
-  for (const std::string& word : cells_of(line, ' '))
-  {
-    if (word.empty()) continue;
-    const bool of_word = !words.empty() && is_bracket(word[0]) && !is_bracket(words.back()[0]);
-    if (of_word)
-      words.back() += " " + word;
-    else
-      words.push_back(word);
-  }
-  return words;
-}
-
-Cells split(const std::string& line, char delimiter)
-{
-  return delimiter == ' ' ? words_between_blanks(trimmed(line)) : cells_of(line, delimiter);
-}
 
 struct Line
 {
@@ -124,9 +65,24 @@ struct CsvTable
   SurveyHeader header;
 };
 
+// of columns that blanks align, by the first row of data below them
+Cells joined_by_place(const std::vector<Line>& lines, std::size_t first, std::size_t count)
+{
+  Cells texts;
+  for (std::size_t i = first; i < first + count; ++i) texts.push_back(lines[i].text);
+  // between them a line of units
+  for (std::size_t i = first + count; i < lines.size() && i < first + count + 2; ++i)
+  {
+    Cells names = names_by_place(texts, lines[i].text);
+    if (!names.empty()) return names;
+  }
+  return {};
+}
+
 // the cells of lines one below the other, as one header
 Cells joined(const std::vector<Line>& lines, std::size_t first, std::size_t count, char delimiter)
 {
+  if (delimiter == ' ') return joined_by_place(lines, first, count);
   Cells names;
   for (std::size_t i = first; i < first + count; ++i)
   {
@@ -146,7 +102,7 @@ CsvTable find_header_over_lines(const std::vector<Line>& lines, const SurveyForm
     {
       for (const Delimiter& delimiter : delimiters)
       {
-        if (delimiter.character == ' ' || (!format.delimiter.empty() && format.delimiter != delimiter.name)) continue;
+        if (!format.delimiter.empty() && format.delimiter != delimiter.name) continue;
         SurveyHeader header = find_columns(joined(lines, i, count, delimiter.character), format);
         if (header.found == needed_quantities) return {i + count, lines[i].number, delimiter, std::move(header)};
       }
@@ -159,9 +115,9 @@ CsvTable find_header_over_lines(const std::vector<Line>& lines, const SurveyForm
 CsvTable with_line_above(CsvTable table, const std::vector<Line>& lines, const SurveyFormat& format)
 {
   const std::size_t place = *table.header.place[survey_md];
-  if (!table.header.cells[place].weak || table.first_row < 2 || table.delimiter.character == ' ' || !format.md.column.empty())
-    return table;
+  if (!table.header.cells[place].weak || table.first_row < 2 || !format.md.column.empty()) return table;
   SurveyHeader both = find_columns(joined(lines, table.first_row - 2, 2, table.delimiter.character), format);
+  if (both.cells.size() < table.header.cells.size()) return table;
   const HeaderCell& cell = both.cells[place];
   if (cell.quantity && !cell.weak && both.place[survey_inclination] && both.place[survey_azimuth]) table.header = std::move(both);
   return table;
@@ -354,7 +310,9 @@ void add_remarks(const CsvTable& table, const std::string& text, SurveyRows& sur
   for (const std::size_t i : {survey_inclination, survey_azimuth})
     if (!header.unit[i])
       angles += (angles.empty() ? "" : " and ") + std::string("\"") + shortened(header.cells[*header.place[i]].text) + "\"";
-  if (!angles.empty()) survey.remarks.push_back(angles + " have no unit and are read as degrees");
+  const bool one = header.unit[survey_inclination] || header.unit[survey_azimuth];
+  if (!angles.empty())
+    survey.remarks.push_back(angles + (one ? " has no unit and is" : " have no unit and are") + " read as degrees");
 }
 
 void take_rows(const std::vector<Line>& lines, const CsvTable& table, SurveyRows& survey, Problems& problems)

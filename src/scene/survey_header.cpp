@@ -29,11 +29,13 @@ const std::map<std::string, std::size_t>& spellings()
     add(survey_md, {"md", "mdepth", "measureddepth", "measdepth", "measdep", "mddepth", "depthmd", "measureddepthmd",
                     "mdmeasureddepth", "ahd", "ahdepth", "alongholedepth", "surveydepth", "surveymd", "svydepth", "stationdepth",
                     "stationmd", "depth", "dept"});
-    add(survey_inclination, {"inc", "incl", "incln", "inclin", "inclination", "incangle", "inclangle", "inclinationangle",
-                             "holeinclination", "holeinc", "holeincl", "holeangle", "drift", "driftangle"});
-    add(survey_azimuth, {"azi", "az", "azm", "azim", "azimuth", "azimut", "azimuthangle", "aziazimuth", "azimuthazi",
-                         "correctedazimuth", "azimuthcorrected", "driftazimuth", "driftdirection", "aziangle", "holeazimuth",
-                         "holeazi", "holedirection", "direction"});
+    add(survey_inclination,
+        {"inc", "incl", "incln", "inclin", "inclination", "incangle", "inclangle", "inclinationangle", "holeinclination",
+         "holeinc", "holeincl", "holeangle", "drift", "driftangle", "devi", "deviation", "deviationangle"});
+    add(survey_azimuth,
+        {"azi", "az", "azm", "azim", "azimuth", "azimut", "azimuthangle", "aziazimuth", "azimuthazi", "correctedazimuth",
+         "azimuthcorrected", "driftazimuth", "driftdirection", "aziangle", "holeazimuth", "holeazi", "holedirection", "hazi"});
+    add(survey_azimuth, {"direction", "haz"});
     add(survey_north,
         {"north", "ns", "northsouth", "northing", "localnorth", "localnorthing", "northoffset", "nsoffset", "dispns"});
     add(survey_east, {"east", "ew", "eastwest", "easting", "localeast", "localeasting", "eastoffset", "ewoffset", "dispew"});

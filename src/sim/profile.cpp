@@ -143,7 +143,7 @@ StaticOutcome hold_weight(const Scene& scene, const SlidingMotion& sliding, doub
           << " % of the friction";
   const LoadShare& buckling = report.loads.buckling;
   if (buckling.share > 1.0)
-    message << "; at that friction the pipe " << buckling.from_bit << " m above the bit carries " << buckling.share
+    message << "; at that friction the pipe " << std::lround(buckling.from_bit) << " m above the bit carries " << buckling.share
             << " times its critical buckling load";
   if (report.outcome.share > 0.0 && report.outcome.top_force < 0.0)
     message << "; even then the string must be pushed in at the top with " << -report.outcome.top_force / 1e3 << " kN";

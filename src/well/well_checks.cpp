@@ -77,7 +77,9 @@ bool stand_upside_down(const std::vector<SurveyStation>& stations)
 
 std::string deeper_than_survey(double hole_depth, double last, Projection project)
 {
-  const std::string text = metres(hole_depth) + " is deeper than the survey, allowed: up to its last station, " + metres(last);
+  const std::string by = metres(hole_depth) == metres(last) ? " (by " + metres(hole_depth - last) + ")" : "";
+  const std::string text =
+      metres(hole_depth) + " is deeper than the survey" + by + ", allowed: up to its last station, " + metres(last);
   if (hole_depth > last + longest_projection)
     return text + (project == Projection::none ? "" : ", and with well.project " + metres(longest_projection) + " further");
   return text + "; well.project: straight or curvature extends it by up to " + metres(longest_projection);

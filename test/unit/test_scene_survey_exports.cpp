@@ -44,6 +44,7 @@ TEST(SceneSurvey, ExportsOfTheTrade)
        2, 1500.25, 10.5, 45.25},
       {"tabs, empty columns at the end", "MD (m)\tInc (deg)\tAzi (deg)\t\t\n0\t0\t0\t\t\n500\t10\t45\t\t\n", 2, 500.0, 10.0,
        45.0},
+      {"names of well logs", "DEPT (M),DEVI (DEG),HAZI (DEG)\n0,0,0\n500,10,45\n", 2, 500.0, 10.0, 45.0},
       {"comments", "# a\nMD (m),Inc (deg),Azi (deg)\n0,0,0\n! b\n// c\n500,10,45\n% d\n", 2, 500.0, 10.0, 45.0},
       {"corrected azimuth", "MD (m),Inc (deg),Corrected Azimuth (deg)\n0,0,0\n500,10,45\n", 2, 500.0, 10.0, 45.0},
       {"drift", "Survey Depth (ft),Drift Angle (deg),Drift Azimuth (deg)\n0,0,0\n1000,10,45\n", 2, 304.8, 10.0, 45.0},
@@ -69,6 +70,32 @@ TEST(SceneSurvey, ExportsOfTheTrade)
     ASSERT_EQ(e.stations, static_cast<int>(table.stations.size()));
     expect_station(table.stations.back(), e.md, e.inclination, e.azimuth);
   }
+}
+
+// Reports of planning programs: blanks align the columns, and their names go over lines.
+TEST(SceneSurvey, NamesAboveAlignedColumns)
+{
+  const SurveyTable report = read(
+      "Well: A-1   Rig 7\n\n"
+      "Measured                       Vertical\n"
+      " Depth   Inclination  Azimuth   Depth     +N/-S     +E/-W\n"
+      "  (ft)       (\xc2\xb0)        (\xc2\xb0)      (ft)      (ft)      (ft)\n\n"
+      "    0.00       0.00      0.00      0.00      0.00      0.00\n"
+      " 1968.50       4.00     50.00   1966.90     44.14     52.60\n");
+  ASSERT_EQ(2u, report.stations.size());
+  EXPECT_NEAR(1968.5 * 0.3048, report.stations[1].md, 1e-9);
+  EXPECT_NEAR(4.0 * degree, report.stations[1].inclination, 1e-12);
+  EXPECT_NEAR(50.0 * degree, report.stations[1].azimuth, 1e-12);
+  const SurveyTable three = read(
+      "  Meas.     Incl.     Azim.\n  Depth     Angle    (true)\n    (m)     (deg)     (deg)\n"
+      "    0.0       0.0       0.0\n  600.0       4.0      50.0\n");
+  ASSERT_EQ(2u, three.stations.size());
+  EXPECT_NEAR(600.0, three.stations[1].md, 1e-9);
+
+  const std::string rows = "  Depth     Inc     Azi\n    (m)   (deg)   (deg)\n      0       0       0\n    600       4      50\n";
+  EXPECT_TRUE(holds(read(rows).remarks.at(0), "\"Depth\" is read as measured depth"));
+  EXPECT_TRUE(read("Measured\n" + rows).remarks.empty());
+  EXPECT_TRUE(holds(refusal("Vertical\n" + rows), "md_m: no such column in the header; it has Vertical Depth, Inc, Azi"));
 }
 
 TEST(SceneSurvey, ExportsThatAreRefused)

@@ -279,6 +279,10 @@ TEST(HoleNodes, EachRuleForAHoleSaysWhereAndWhat)
       "well.hole_depth: 731 m is deeper than the survey, allowed: up to its last station, 730 m; well.project: straight or "
       "curvature extends it by up to 30.5 m",
       problem_with([](WellSpec& w) { w.hole_depth = 731.0; }));
+  EXPECT_EQ(
+      "well.hole_depth: 730 m is deeper than the survey (by 0.0002 m), allowed: up to its last station, 730 m; well.project: "
+      "straight or curvature extends it by up to 30.5 m",
+      problem_with([](WellSpec& w) { w.hole_depth = 730.0002; }));
   EXPECT_EQ("well.hole_depth: must be above 0 (got 0 m)", problem_with([](WellSpec& w) { w.hole_depth = 0.0; }));
   EXPECT_EQ("well.sections: the list is empty, needed: at least one section",
             problem_with([](WellSpec& w) { w.sections.clear(); }));
