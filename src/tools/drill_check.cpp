@@ -19,6 +19,7 @@
 #include "drill_rig_sim/sim/wall_loss.h"
 #include "drill_rig_sim/solve/start.h"
 #include "drill_command.h"
+#include "drill_feed.h"
 #include "drill_losses.h"
 #include "drill_options.h"
 #include "drill_program.h"
@@ -332,6 +333,9 @@ void check(const CheckOptions& options)
   std::printf("program     %zu lines to %g s", scene.program.size(), program_end(scene.program));
   if (!scene.operations.empty()) std::printf(", %zu operations", scene.operations.size());
   std::printf("\n");
+  for (const SlowFeed& slow : slow_feeds(scene, -simulator.wellbore().bottom_position().z()))
+    std::printf("%s\n",
+                feed_limit_text(slow.operation, scene.operations[slow.operation], "limits", slow.weight, 0.0, printed).c_str());
 }
 }  // namespace
 

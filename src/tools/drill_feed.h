@@ -3,11 +3,13 @@
 #define DRILL_RIG_SIM_SRC_TOOLS_DRILL_FEED_H
 
 #include <algorithm>
+#include <string>
 #include <vector>
 
 #include "drill_rig_sim/crew/operations.h"
 #include "drill_rig_sim/instruments/signals.h"
 #include "drill_rig_sim/scene/scene.h"
+#include "drill_units.h"
 
 namespace drill_rig_sim
 {
@@ -55,6 +57,24 @@ private:
   double before_ = 0.0;
   std::vector<Entry> entries_;
 };
+
+/// A drill whose largest block speed is below what its rock gives way at the weight that was asked for.
+struct SlowFeed
+{
+  std::size_t operation = 0;  ///< from 0
+  double weight = 0.0;  ///< at which the rock gives way at that speed, ROP = K N^beta (W - F_0)^alpha (well/formation.h) [N]
+};
+
+/// Those that are known before a run: of drill, by the layer at true vertical depth `tvd` [m] and the rotary speed of the
+/// operations before, where that weight is below FeedLimits::low and the operation lasts FeedLimits::counts or longer. None of a
+/// string with a mud motor, nor of a bit that is not stribeck: their speed and depth of cut are not known beforehand.
+std::vector<SlowFeed> slow_feeds(const Scene& scene, double tvd);
+
+/// "operations: number 4, drill: its speed of 0.001 m/s limits the weight on bit to 0.8 kN for 70 s (weight: 10.0 kN); ...".
+/// @param limits  limits or limited
+/// @param duration  [s], 0: not known
+std::string feed_limit_text(std::size_t operation, const Operation& o, const char* limits, double weight, double duration,
+                            const Printed& printed);
 
 }  // namespace drill_rig_sim
 

@@ -200,12 +200,7 @@ void print_feed(const std::vector<Operation>& operations, const FeedLimits& feed
   {
     if (!entry.is_reported()) continue;
     const Operation& o = operations[entry.operation];
-    std::printf(
-        "operations: number %zu, %s: its speed of %s limited the weight on bit to %s for %.0f s (weight: %s); needed for more: a "
-        "larger speed\n",
-        entry.operation + 1, word_of(o.kind), printed(o.speed, Dimension::speed, {"%.4g", "m/s"}).c_str(),
-        printed(entry.mean_weight(), Dimension::force, kilonewton).c_str(), entry.limited,
-        printed(o.weight, Dimension::force, kilonewton).c_str());
+    std::printf("%s\n", feed_limit_text(entry.operation, o, "limited", entry.mean_weight(), entry.limited, printed).c_str());
   }
 }
 

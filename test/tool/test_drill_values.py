@@ -80,6 +80,12 @@ class Check(test_drill.Drill):
         self.assertAlmostEqual(0.83, float(said.group(1)), delta=0.15)
         self.assertGreater(float(said.group(2)), 60.0)
         self.assertNotIn('limited the weight', self.succeed(*run, drill % 0.05))
+        check = ('check', QUICK, '--set', 'program=[]', '--set')
+        known = re.search(r'operations: number 4, drill: its speed of 0.001 m/s limits the weight on bit to ([\d.]+) kN \(weight: 10.0 kN\); needed for more: a larger speed\n',
+                          self.succeed(*check, drill % 0.001))
+        self.assertAlmostEqual(1e-3 / (1.3e-7 * 90.0 * math.pi / 30.0) / 1e3, float(known.group(1)), delta=0.06)
+        for words in ((drill % 0.05,), (drill.replace('distance: 5 m', 'distance: 0.05 m') % 0.001,), (drill.replace('speed_rpm: 90', 'speed_rpm: 0') % 0.001,)):
+            self.assertNotIn('the weight on bit to', self.succeed(*check, *words))
 
     def test_every_kind_of_part_has_its_word(self):
         string = ('[{name: a, type: bit, length: 0.3, mass: 40, diameter: 0.2159}, '
