@@ -62,6 +62,12 @@ class Dates(Folder):
                      table(header=("T", "H", "B"), times=DAYS), MAP.replace("unit: s", "unit: date"))
         self.assertIn("its rows are 5.79e-05 s apart; check the unit of the time", "\n".join(self.read(table(header=("T", "H", "B"), times=DAYS), MAP).remarks))
 
+    def test_the_last_row_first(self):
+        """As histories of a data base list them; rows that go back elsewhere are refused."""
+        lines = table(header=DATED, times=dates("%Y-%m-%d %H:%M:%S")).splitlines()
+        self.right(self.read("\n".join([lines[0], *lines[:0:-1]]) + "\n"), ["its rows begin with the last one in time and are read in the order of time"])
+        self.refused("the time goes back", "\n".join([lines[0], *lines[:1:-1], lines[1], lines[4]]) + "\n")
+
     def test_dates_of_many_forms(self):
         for text in ("Sat Nov 28 10:03:00 2026", "Saturday, 28 November 2026 10:03:00", "2026/332 10:03:00", "2026-332T10:03:00Z", "2026332T100300", "20261128_100300", "28-Nov-2026, 10:03",
                      "Nov 28, 2026 10:03:00 a.m.", "2026-11-28 10:02:60", "2026:332:10:03:00"):

@@ -7,6 +7,7 @@ import unittest
 
 from drill_rig_sim.field.cells import is_blank, is_foreign_number, with_point
 from drill_rig_sim.field.dates import seconds_of
+from drill_rig_sim.field.record import RecordError, read_record
 from drill_rig_sim.field.table import parts_of
 from drill_rig_sim.field.window import moment
 from record_folder import FEET, KLBF, MAP, ROWS, STAMPS, Folder
@@ -229,6 +230,21 @@ class Tables(Folder):
         self.right(self.read(table(), "null: -1\n"))
         other = self.read(table(header=("Time (s)", "HKLD", "Block Height (ft)")), "torque: {column: HKLD, unit: kft.lbf}\n")
         self.assertNotIn("hook_load", other.signals)
+
+    def test_a_map_may_leave_units_in_brackets_out(self):
+        text = table(header=("T (s)", "Hakenlast [klbf]", "Blockhoehe (ft)"))
+        columns = "time: {column: T}\nhook_load: {column: hakenlast}\nblock_height: {column: Blockhoehe, unit: ft}\n"
+        self.right(self.read(text, columns))
+        self.right(self.read("Well A-1, Rig 7\n\n" + text, columns), ["line 3 was read as the names of the columns"])
+        self.refused("there are 2 columns hakenlast", text.replace("Blockhoehe (ft)", "Hakenlast (kN)"), columns.split("block")[0])
+
+    def test_a_map_of_several_files(self):
+        """Each holds some of its columns; one that none holds is refused."""
+        rows = table(header=("T", "H", "B")).splitlines()
+        files = [self.file(name, "\n".join(",".join(row.split(",")[k] for k in places) for row in rows) + "\n") for name, places in (("one.csv", (0, 1)), ("two.csv", (0, 2)))]
+        self.right(read_record(files, self.file("map.yaml", MAP)))
+        with self.assertRaisesRegex(RecordError, "one.csv: there is no column Q; columns: T, H"):
+            read_record(files, self.file("map.yaml", MAP + "torque: {column: Q, unit: kN.m}\n"))
 
     def test_maps_that_are_refused(self):
         text = table(header=("T", "H", "B"))

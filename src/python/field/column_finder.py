@@ -44,13 +44,19 @@ class ByMap(OfTheTrade):
         self.names = {name.strip().lower() for column in columns.columns.values() for name in column.names}
 
     def count(self, names):
-        return len(self.names) + super().count(names) if self.names <= {name.lower() for name in names} else 0
+        found = len(self.names & {form for name in names for form in forms_of(name)})
+        return found and found + super().count(names)
 
     def is_name(self, name):
-        return name.lower() in self.names or super().is_name(name)
+        return bool(self.names & forms_of(name)) or super().is_name(name)
 
     def places(self, names):
-        return [place for place, name in enumerate(names) if name.lower() in self.names] + super().places(names)
+        return [place for place, name in enumerate(names) if self.names & forms_of(name)] + super().places(names)
+
+
+def forms_of(name):
+    """How a map may write the name of a column: with its unit in brackets or without."""
+    return {name.lower(), bare(name).lower()}
 
 
 class AllOf(Wanted):
@@ -82,7 +88,8 @@ def zones_in(names):
 
 def columns_of(table, mapped, remarks):
     """Column by signal: those of a map (`mapped`), and beside them those that have a name of the trade."""
-    taken = {name.strip().lower() for column in mapped.values() for name in column.names}
+    mapped = {signal: Column([table.names[table.column(name)] for name in column.names], column.unit, column.form, column.nulls) for signal, column in mapped.items()}
+    taken = {name.lower() for column in mapped.values() for name in column.names}
     return {**known_columns(table, remarks, set(mapped), taken), **mapped}
 
 

@@ -4,7 +4,7 @@ import os
 
 import numpy
 from drill_rig_sim.field.column_finder import AllOf, ByMap, OfTheTrade
-from drill_rig_sim.field.columns import read_map
+from drill_rig_sim.field.columns import ColumnMap, read_map
 from drill_rig_sim.field.dates import written
 from drill_rig_sim.field.files import begins_with, bytes_of, text_of
 from drill_rig_sim.field.las import read_las
@@ -202,8 +202,18 @@ def read_record(files, columns=None):
     RecordError with one line."""
     files = [files] if isinstance(files, (str, os.PathLike)) else list(files)
     mapping = read_map(columns) if columns else None
-    parts = [part_of(table, mapping) for file in files for table in tables_of(os.fspath(file), mapping)]
+    tables = [table for file in files for table in tables_of(os.fspath(file), mapping)]
+    parts = [part_of(table, mapping and of_table(mapping, table, tables)) for table in tables]
     return Record(parts, os.fspath(files[0]) if len(files) == 1 else "%s and %d more" % (files[0], len(files) - 1))
+
+
+def of_table(mapping, table, tables):
+    """The map without the columns that stand only in others of the tables."""
+    def is_in(one, column):
+        return all(map(one.places_of, column.names))
+    columns = {signal: column for signal, column in mapping.columns.items()
+               if signal == "time" or is_in(table, column) or not any(is_in(other, column) for other in tables)}
+    return ColumnMap(columns, mapping.nulls, mapping.layout)
 
 
 def tables_of(file, mapping):

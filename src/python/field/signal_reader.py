@@ -49,6 +49,9 @@ def part_of(table, columns=None):
     if not timed.all():
         remarks.append("%d rows have no time and are left out (first: %s)" % ((~timed).sum(), table.place(int(numpy.flatnonzero(~timed)[0]))))
     rows = numpy.flatnonzero(timed & ~of_others(table, signals, remarks))
+    if table.in_any_order and len(rows) > 2 and (numpy.diff(time[rows]) <= 0.0).all() and time[rows[0]] > time[rows[-1]]:
+        remarks.append("its rows begin with the last one in time and are read in the order of time")
+        rows = rows[::-1]
     signals = {"time": time[rows], **{signal: values[rows] for signal, values in signals.items()}}
     return Part(table, signals, dated, zoned, offset, rows, remarks)
 

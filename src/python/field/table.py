@@ -24,21 +24,26 @@ class Table:
     """`names` and `units` (None where the file does not say) by column; `rows`: lists of texts, all as long as `names`; `place(k)`: where row k stands, as
     FILE:LINE or FILE: row N. `nulls`: values that stand for no number, by column. `index`: place of the column that the file calls its index, or None, and
     `index_is_date`, None where the file does not say. `remarks`: what was noticed, without the file's name. `unit_cells`: of columns whose cells hold their unit, the
-    first such cell. `well`: names of well and wellbore, "" where the file does not say."""
+    first such cell. `well`: names of well and wellbore, "" where the file does not say. `in_any_order`: the file does not say that its rows are in the order of time."""
 
     def __init__(self, file, names, units, rows, places, nulls=None, index=None, index_is_date=None, remarks=()):
         self.file, self.names, self.units, self.rows, self.places = file, names, units, rows, places
-        self.unit_cells, self.well = {}, ("", "")
+        self.unit_cells, self.well, self.in_any_order = {}, ("", ""), False
         self.nulls = nulls or [()] * len(names)
         self.index, self.index_is_date, self.remarks = index, index_is_date, list(remarks)
 
     def place(self, k):
         return "%s:%s" % (self.file, self.places[k])
 
+    def places_of(self, name):
+        """Of the columns of a name; a unit in brackets may be left out."""
+        asked = name.strip().lower()
+        return [place for place, known in enumerate(self.names) if known == name] or [place for place, known in enumerate(self.names) if known.lower() == asked] or \
+               [place for place, known in enumerate(self.names) if bare(known).lower() == asked]
+
     def column(self, name):
         """The place of a column by its name. RecordError where there is none or where there are two."""
-        places = [place for place, known in enumerate(self.names) if known == name] or \
-                 [place for place, known in enumerate(self.names) if known.lower() == name.strip().lower()]
+        places = self.places_of(name)
         if len(places) == 1:
             return places[0]
         raise RecordError("%s: %s %s; columns: %s" % (self.file, "there is no column" if not places else "there are %d columns" % len(places), name, self.header()))
@@ -98,7 +103,9 @@ def read_delimited(file, text, layout=Layout(), wanted=Wanted()):
             places.append(str(line))
     remarks += again.remarks()
     decimal = layout.decimal or likely_decimal(file, table, places, heading.delimiter, remarks)
-    return Table(file, names, units, numbers_with_points(file, table, places, decimal), places, remarks=remarks)
+    found = Table(file, names, units, numbers_with_points(file, table, places, decimal), places, remarks=remarks)
+    found.in_any_order = True
+    return found
 
 
 class Again:
