@@ -108,14 +108,13 @@ Outflow advance_annulus(const HydraulicCircuit& circuit, const HydraulicState& s
   out.pressure += ways.load;
   return out;
 }
+}  // namespace
 
-/// Share of the gel's strength after a step in which mud moved past it at a rate [m3/s].
 double advance_gel(double gel, double flow, double step) noexcept
 {
   const bool breaks = flow * gel_time > gel_break_volume;
   return breaks ? gel * std::exp(-flow * step / gel_break_volume) : gel + (1.0 - gel) * -std::expm1(-step / gel_time);
 }
-}  // namespace
 
 double HydraulicResistance::pressure(double flow) const noexcept
 {

@@ -42,6 +42,14 @@ AnnulusSection annulus_section(const Rheology& mud, double density, const Passag
 }
 }  // namespace
 
+LossTable::Value AnnulusSection::at(double flow, double displaced) const noexcept
+{
+  const double laminar = per_area * flow + laminar_carry * displaced;
+  const double speed = laminar + turbulence_at(laminar, critical_speed) * (turbulent_carry - laminar_carry) * displaced;
+  const LossTable::Value here = loss.at(speed);
+  return {here.loss, per_area * here.slope};
+}
+
 LossTable::Value SectionLosses::inner(double flow) const noexcept
 {
   LossTable::Value sum = bore.at(flow);
@@ -63,14 +71,18 @@ LossTable::Value SectionLosses::outer(double flow, double displaced) const noexc
   LossTable::Value sum;
   for (const AnnulusSection& section : annulus)
   {
-    const double laminar = section.per_area * flow + section.laminar_carry * displaced;
-    const double speed =
-        laminar + turbulence_at(laminar, section.critical_speed) * (section.turbulent_carry - section.laminar_carry) * displaced;
-    const LossTable::Value here = section.loss.at(speed);
+    const LossTable::Value here = section.at(flow, displaced);
     sum.loss += here.loss;
-    sum.slope += section.per_area * here.slope;
+    sum.slope += here.slope;
   }
   return sum;
+}
+
+std::vector<LossTable> bore_section_losses(const Rheology& mud, double density, const MudSections& sections, double largest_flow)
+{
+  std::vector<LossTable> out;
+  for (const PassageLength& section : sections.bore) out.push_back(in_a_row(mud, density, {section}, largest_flow));
+  return out;
 }
 
 SectionLosses section_losses(const Rheology& mud, double density, const MudSections& sections, double largest_flow)

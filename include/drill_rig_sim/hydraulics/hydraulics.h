@@ -19,7 +19,7 @@
 /// through than the pump sends: the string counts as closed both ways, as is usual (Lapeyrouse; Moore, Drilling Practices Manual,
 /// 1974, takes swab as the opposite of surge). Two volumes without the mud's inertia: the model of Kaasa, Stamnes, Aamo and
 /// Imsland, SPE Drilling & Completion 27 (2012) 127-138, whose annulus ends at a choke and ours in the open. Waves in the mud,
-/// seconds in long wells, are not in it.
+/// seconds in long wells, are an option (pressure_waves.h).
 ///
 /// With a rheology of the mud (rheology.h) the losses are those of its law by section (section_losses.h) instead:
 ///   p_p - p_a = P_l(Q) + P_b(Q) + P_n(Q) + D(Q) + G_p,   p_a = sum of P(V) over the annulus's sections + G_a,
@@ -151,6 +151,9 @@ double orifice_flow(double area, double pressure, double density) noexcept;
 /// @param ways            the leak at most what the bore holds
 void advance_hydraulics(const MudPumpSpec& spec, const HydraulicCircuit& circuit, double commanded, double motor_pressure,
                         double displaced, double step, double& flow, HydraulicState& state, const MudWays& ways = {}) noexcept;
+
+/// Share of a gel's strength after a step [s] in which mud moved past it at a rate [m3/s].
+double advance_gel(double gel, double flow, double step) noexcept;
 
 /// Density of a mud at rest with the same pressure at the bit: density + p_a/(g depth) [kg/m3]; the mud's own within a metre of
 /// the rotary table, where it would mean nothing.

@@ -34,6 +34,9 @@ struct AnnulusSection
   double laminar_carry = 0.0;    ///< (A_o/A + K)/A_m, K of laminar flow, A_m of SectionLosses [1/m2]
   double turbulent_carry = 0.0;  ///< the same of turbulent flow [1/m2]
   double critical_speed = 0.0;   ///< [m/s]
+
+  /// At a flow Q [m3/s] and A_m v [m3/s], and the slope by Q.
+  LossTable::Value at(double flow, double displaced) const noexcept;
 };
 
 /// The losses of a mud with a rheology on its way, section by section, worked out once (flow_losses.h) and interpolated in a
@@ -64,6 +67,9 @@ struct MudSections
   std::vector<PassageLength> lines, bore, annulus;
   double nozzle_area = 0.0;  ///< [m2]
 };
+
+/// Loss along each section of the bore, by flow [m3/s].
+std::vector<LossTable> bore_section_losses(const Rheology& mud, double density, const MudSections& sections, double largest_flow);
 
 /// @param largest_flow  of the pump [m3/s]
 SectionLosses section_losses(const Rheology& mud, double density, const MudSections& sections, double largest_flow);

@@ -1,0 +1,400 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drill_rig_sim/hydraulics/pressure_waves.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "drill_rig_sim/hydraulics/mud_motor.h"
+#include "drill_rig_sim/hydraulics/pump_strokes.h"
+
+namespace drill_rig_sim
+{
+namespace
+{
+constexpr double longest_tick = 0.02, shortest_tick = 0.005;  // [s]
+constexpr double cells_wanted = 50.0, fewest_cells = 2.0;
+constexpr double atmosphere = 101325.0;   // [Pa]
+constexpr double smallest_change = 1e-7;  // of a root, over the nominal flow: Newton's next one is far below
+constexpr double in_time = 1e-9;          // [s]
+
+using Value = LossTable::Value;
+
+/// Root of a function {value, slope < 0} of any sign.
+template <class Function>
+double signed_root(const Function& value, double guess, double smallest) noexcept
+{
+  const double at_rest = value(0.0).loss;
+  if (at_rest == 0.0) return 0.0;
+  const double sign = at_rest > 0.0 ? 1.0 : -1.0;
+  const auto mirrored = [&](double q)
+  {
+    const Value v = value(sign * q);
+    return Value{sign * v.loss, v.slope};
+  };
+  return sign * falling_root(mirrored, std::max(sign * guess, smallest), smallest);
+}
+
+/// One tick of the waves.
+class Tick
+{
+public:
+  Tick(const MudPumpSpec& pump, const HydraulicCircuit& circuit, const PressureWaves& waves, const WaveLoads& loads,
+       const HydraulicState& mud, PressureWaveState& state) noexcept
+      : pump_(pump),
+        circuit_(circuit),
+        waves_(waves),
+        loads_(loads),
+        mud_(mud),
+        s_(state),
+        smallest_(smallest_change * circuit.nominal_flow),
+        creep_(circuit.law.bore.creep()),
+        moves_(loads.displaced != 0.0)
+  {
+  }
+
+  /// @param inflow  mean of what the pump delivers in the tick [m3/s]
+  void advance(double inflow) noexcept
+  {
+    leak_ = leak();
+    cross_annulus(cross_bore(inflow));
+    s_.time += waves_.tick;
+  }
+
+private:
+  Value bore_loss(std::size_t node, double flow) const noexcept
+  {
+    const WaveLine::Node& n = waves_.bore.nodes[node];
+    Value sum;
+    for (std::size_t k = n.first; k < n.last; ++k)
+    {
+      const WaveLine::Share& share = waves_.bore.shares[k];
+      const Value here = waves_.bore_losses[share.section].at(flow);
+      sum.loss += share.share * here.loss;
+      sum.slope += share.share * here.slope;
+    }
+    return sum;
+  }
+
+  /// @param flow  without what the string displaces [m3/s]
+  Value annulus_loss(std::size_t node, double flow) const noexcept
+  {
+    const WaveLine::Node& n = waves_.annulus.nodes[node];
+    Value sum;
+    for (std::size_t k = n.first; k < n.last; ++k)
+    {
+      const WaveLine::Share& share = waves_.annulus.shares[k];
+      const Value here = circuit_.law.annulus[share.section].at(flow, loads_.displaced);
+      sum.loss += loads_.ways.narrowing * share.share * here.loss;
+      sum.slope += loads_.ways.narrowing * share.share * here.slope;
+    }
+    return sum;
+  }
+
+  /// (3): driving = impedance Q + loss(Q), where a gel holds as much as it can.
+  /// @param at_rest  what holds mud without flow beside the gel [Pa]
+  template <class Loss>
+  double flow_between(double driving, double impedance, double gel, double at_rest, const Loss& loss, double guess) const noexcept
+  {
+    const double net = moves_ ? driving - loss(0.0).loss : driving;
+    if (std::abs(net) <= gel + at_rest) return 0.0;
+    const double sign = net > 0.0 ? 1.0 : -1.0;
+    const auto excess = [&](double q)
+    {
+      const Value here = loss(sign * q);
+      return Value{sign * (driving - here.loss) - gel - impedance * q, -impedance - here.slope};
+    };
+    return sign * falling_root(excess, std::max(sign * guess, smallest_), smallest_);
+  }
+
+  double displaced_by(std::size_t cell) const noexcept { return waves_.annulus.outside[cell] * loads_.string_speed; }
+
+  /// Place of the hole in the string, between cells.
+  static std::size_t inside(std::size_t cell, const WaveLine& line) noexcept
+  {
+    return std::clamp<std::size_t>(cell == PressureWaves::no_cell ? line.cells() : cell, 1, line.cells() - 1);
+  }
+
+  /// Through the hole in the string, with the pressure that it takes from the waves there: k sqrt(p - Z q) = q [m3/s].
+  double leak() noexcept
+  {
+    if (loads_.leak_area <= 0.0) return 0.0;
+    const std::size_t b = leak_in_bore_ = inside(waves_.bore_cell[loads_.leak_element], waves_.bore);
+    const std::size_t a = leak_in_annulus_ = inside(waves_.annulus_cell[loads_.leak_element], waves_.annulus);
+    const auto parallel = [](double one, double other) { return one * other / (one + other); };
+    const double bore = parallel(waves_.bore.impedance[b - 1], waves_.bore.impedance[b]);
+    const double annulus = parallel(waves_.annulus.impedance[a - 1], waves_.annulus.impedance[a]);
+    const double inner =
+        bore * (s_.bore_with[b - 1] / waves_.bore.impedance[b - 1] + s_.bore_against[b] / waves_.bore.impedance[b]);
+    const double outer = annulus * (s_.annulus_with[a - 1] / waves_.annulus.impedance[a - 1] +
+                                    s_.annulus_against[a] / waves_.annulus.impedance[a]);
+    const double pressure = inner - outer, impedance = bore + annulus;
+    if (pressure <= 0.0) return 0.0;
+    const double k = orifice_flow(loads_.leak_area, 1.0, waves_.density), b2 = k * k * impedance;
+    return 2.0 * k * k * pressure / (b2 + std::sqrt(b2 * b2 + 4.0 * k * k * pressure));
+  }
+
+  /// From pump to bit; returns the wave that arrives there.
+  double cross_bore(double inflow) noexcept
+  {
+    const WaveLine& line = waves_.bore;
+    double arriving = s_.bore_with[0];
+    double flow = enter_pump(inflow);
+    for (std::size_t j = 1; j < line.cells(); ++j)
+    {
+      const double before = line.impedance[j - 1], behind = line.impedance[j], against = s_.bore_against[j];
+      const double lost = leak_ > 0.0 && j == leak_in_bore_ ? leak_ : 0.0;
+      flow = flow_between(
+          arriving - against - before * lost, before + behind, mud_.bore_gel * line.nodes[j].gel, bore_loss(j, creep_).loss,
+          [&](double q) { return bore_loss(j, q); }, flow);
+      s_.bore_against[j - 1] = arriving - 2.0 * before * (flow + lost);
+      arriving = std::exchange(s_.bore_with[j], against + 2.0 * behind * flow);
+    }
+    return arriving;
+  }
+
+  double gas_at(double pressure) const noexcept
+  {
+    const double precharge = waves_.spec.dampener_pressure;
+    return waves_.spec.dampener_volume * (pressure <= precharge ? 1.0 : (precharge + atmosphere) / (pressure + atmosphere));
+  }
+
+  /// The pump's end; returns the flow into the string.
+  double enter_pump(double inflow) noexcept
+  {
+    const double impedance = waves_.bore.impedance[0], against = s_.bore_against[0];
+    const auto pressure = [&](double q)
+    {
+      Value p = bore_loss(0, q);
+      p.loss += against + impedance * q;
+      p.slope += impedance;
+      if (circuit_.law.lines.empty()) return p;
+      const Value lines = circuit_.law.lines.at(q);
+      return Value{p.loss + lines.loss, p.slope + lines.slope};
+    };
+    const auto flow_at = [&](double wanted)
+    {
+      return signed_root(
+          [&](double q)
+          {
+            const Value p = pressure(q);
+            return Value{wanted - p.loss, -p.slope};
+          },
+          inflow, smallest_);
+    };
+    double flow = inflow;
+    if (waves_.spec.dampener_volume > 0.0) flow = flow_with_dampener(inflow, pressure);
+    s_.pump_pressure = pressure(flow).loss;
+    s_.relief_open = s_.pump_pressure > pump_.relief_pressure;
+    if (s_.relief_open || s_.pump_pressure < 0.0)
+    {
+      s_.pump_pressure = s_.relief_open ? pump_.relief_pressure : 0.0;
+      flow = flow_at(s_.pump_pressure);
+    }
+    s_.gas = gas_at(s_.pump_pressure);
+    s_.bore_with[0] = against + 2.0 * impedance * flow;
+    return flow;
+  }
+
+  template <class Pressure>
+  double flow_with_dampener(double inflow, const Pressure& pressure) const noexcept
+  {
+    const auto excess = [&](double q)
+    {
+      const Value p = pressure(q);
+      const double gas = gas_at(p.loss);
+      const double by_pressure = p.loss > waves_.spec.dampener_pressure ? -gas / (p.loss + atmosphere) : 0.0;
+      return Value{inflow + (gas - s_.gas) / waves_.tick - q, by_pressure * p.slope / waves_.tick - 1.0};
+    };
+    return signed_root(excess, inflow, smallest_);
+  }
+
+  /// Nozzles, motor and pulser.
+  Value bit_loss(double flow) const noexcept
+  {
+    const SectionLosses& law = circuit_.law;
+    const bool closed = waves_.spec.pulse_height > 0.0 &&
+                        std::fmod(s_.time + waves_.tick, waves_.spec.pulse_period) < 0.5 * waves_.spec.pulse_period;
+    const double pulser = closed ? waves_.spec.pulse_height / (circuit_.nominal_flow * circuit_.nominal_flow) : 0.0;
+    const double nozzles = law.nozzle_area > 0.0 ? nozzle_loss(law.density, 1.0, law.nozzle_area) : 0.0;
+    const double per_leak = loads_.motor_pressure / mud_motor_leakage;
+    const bool leaks = flow < mud_motor_leakage;
+    return {(nozzles + pulser) * flow * flow + (leaks ? per_leak * flow : loads_.motor_pressure),
+            2.0 * (nozzles + pulser) * flow + (leaks ? per_leak : 0.0)};
+  }
+
+  /// The flow through the bit against a pressure behind it, none backwards.
+  /// @param driving  wave that arrives, less what is held and less the pressure behind the bit without flow [Pa]
+  template <class Behind>
+  double flow_through_bit(double driving, const Behind& behind) const noexcept
+  {
+    const std::size_t last = waves_.bore.cells();
+    const double impedance = waves_.bore.impedance[last - 1];
+    const auto excess = [&](double q)
+    {
+      const Value bore = bore_loss(last, q), bit = bit_loss(q), after = behind(q);
+      return Value{driving - impedance * q - bore.loss - bit.loss - after.loss,
+                   -impedance - bore.slope - bit.slope - after.slope};
+    };
+    if (excess(0.0).loss <= bore_loss(last, creep_).loss) return 0.0;
+    return falling_root(excess, s_.bit_flow > 0.0 ? s_.bit_flow : circuit_.nominal_flow, smallest_);
+  }
+
+  /// From the bit to the flow line.
+  void cross_annulus(double at_bit) noexcept
+  {
+    const WaveLine& line = waves_.annulus;
+    double arriving = s_.annulus_with[0];
+    double flow = pass_bit(at_bit);
+    const std::size_t n = line.cells();
+    for (std::size_t j = 1; j <= n; ++j)
+    {
+      const double before = line.impedance[j - 1], behind = j < n ? line.impedance[j] : 0.0;
+      const double against = j < n ? s_.annulus_against[j] : 0.0;
+      const double lost = leak_ > 0.0 && j == leak_in_annulus_ ? leak_ : 0.0;
+      const double below = displaced_by(j - 1), above = (j < n ? displaced_by(j) : 0.0) + lost;
+      flow = flow_between(
+          arriving - against - before * below - behind * above, before + behind, mud_.annulus_gel * line.nodes[j].gel, 0.0,
+          [&](double q) { return annulus_loss(j, q); }, flow);
+      s_.annulus_against[j - 1] = arriving - 2.0 * before * (flow + below);
+      if (j < n) arriving = std::exchange(s_.annulus_with[j], against + 2.0 * behind * (flow + above));
+      flow += lost;
+    }
+    s_.return_flow = flow + displaced_by(n - 1);
+  }
+
+  /// Returns the flow through the bit.
+  double pass_bit(double at_bit) noexcept
+  {
+    const std::size_t last = waves_.bore.cells();
+    const double bore = waves_.bore.impedance[last - 1], annulus = waves_.annulus.impedance[0];
+    const double against = s_.annulus_against[0], displaced = displaced_by(0);
+    const MudWays& ways = loads_.ways;
+    const auto in_annulus = [&](double q)
+    {
+      Value p = annulus_loss(0, q);
+      p.loss += against + annulus * (q + displaced) + ways.load;
+      p.slope += annulus;
+      return p;
+    };
+    const double held = mud_.bore_gel * waves_.bore.nodes[last].gel + ways.plug;
+    double flow = flow_through_bit(at_bit - held, in_annulus);
+    // swab: the bit's nozzles let no more through than the pump sends
+    if (in_annulus(flow).loss < 0.0) flow = flow_through_bit(at_bit - held, [](double) { return Value(); });
+    const double behind = in_annulus(flow).loss;
+    s_.bit_pressure = std::clamp(at_bit, behind, behind + ways.plug);
+    s_.bit_flow = flow;
+    s_.bore_against[last - 1] = at_bit - 2.0 * bore * flow;
+    s_.annulus_with[0] = against + 2.0 * annulus * (flow + displaced);
+    return flow;
+  }
+
+  const MudPumpSpec& pump_;
+  const HydraulicCircuit& circuit_;
+  const PressureWaves& waves_;
+  const WaveLoads& loads_;
+  const HydraulicState& mud_;
+  PressureWaveState& s_;
+  double smallest_;    // change of a flow that is none [m3/s]
+  double creep_;       // the loss at this flow in the bore is its yield stress's [m3/s]
+  bool moves_;         // the string
+  double leak_ = 0.0;  // [m3/s]
+  std::size_t leak_in_bore_ = 0, leak_in_annulus_ = 0;
+};
+}  // namespace
+
+double wave_tick(double length, double wave_speed) noexcept
+{
+  const double wanted = std::clamp(length / (cells_wanted * wave_speed), shortest_tick, longest_tick);
+  return length / wave_speed / std::max(fewest_cells, std::round(length / (wave_speed * wanted)));
+}
+
+WaveLine wave_line(const std::vector<WaveStretch>& stretches, std::size_t cells, double tick, double bulk_modulus)
+{
+  double length = 0.0;
+  for (const WaveStretch& stretch : stretches) length += stretch.length;
+  const double cell = length / static_cast<double>(cells);
+  std::vector<double> volume(cells, 0.0), displaced(cells, 0.0);
+  std::vector<std::vector<WaveLine::Share>> shares(cells + 1);
+  WaveLine out;
+  out.nodes.resize(cells + 1);
+  const auto add_share = [&](std::size_t node, std::size_t section, double share)
+  {
+    for (WaveLine::Share& one : shares[node])
+      if (one.section == section) return static_cast<void>(one.share += share);
+    shares[node].push_back({section, share});
+  };
+  double from = 0.0;  // in half cells: half cell 2 k and 2 k + 1 are of cell k, half cell i belongs to node (i + 1)/2
+  for (const WaveStretch& stretch : stretches)
+  {
+    const double to = from + stretch.length / (0.5 * cell);
+    for (std::size_t i = static_cast<std::size_t>(from); i < 2 * cells && static_cast<double>(i) < to; ++i)
+    {
+      const double inside = (std::min(to, static_cast<double>(i + 1)) - std::max(from, static_cast<double>(i))) * 0.5 * cell;
+      const double share = inside / stretch.length;
+      const std::size_t node = (i + 1) / 2;
+      volume[i / 2] += share * stretch.volume;
+      displaced[i / 2] += inside / cell * stretch.outside;
+      add_share(node, stretch.section, inside / stretch.section_length);
+      out.nodes[std::clamp<std::size_t>(node, 1, cells - 1)].gel += share * stretch.gel;
+    }
+    from = to;
+  }
+  for (std::size_t k = 0; k < cells; ++k) out.impedance.push_back(tick * bulk_modulus / volume[k]);
+  out.outside = displaced;
+  for (std::size_t j = 0; j <= cells; ++j)
+  {
+    out.nodes[j].first = out.shares.size();
+    out.shares.insert(out.shares.end(), shares[j].begin(), shares[j].end());
+    out.nodes[j].last = out.shares.size();
+  }
+  return out;
+}
+
+PressureWaveState waves_at_rest(const PressureWaves& waves, double time, double strokes)
+{
+  PressureWaveState out;
+  if (!waves.any()) return out;
+  out.time = time;
+  out.strokes = strokes;
+  out.gas = waves.spec.dampener_volume;
+  for (auto* wave : {&out.bore_with, &out.bore_against}) wave->assign(waves.bore.cells(), 0.0);
+  for (auto* wave : {&out.annulus_with, &out.annulus_against}) wave->assign(waves.annulus.cells(), 0.0);
+  return out;
+}
+
+double stored_mud(const PressureWaves& waves, const PressureWaveState& state) noexcept
+{
+  double sum = 0.0;
+  for (std::size_t k = 0; k < waves.bore.cells(); ++k) sum += waves.tick / waves.bore.impedance[k] * state.in_bore(k);
+  for (std::size_t k = 0; k < waves.annulus.cells(); ++k) sum += waves.tick / waves.annulus.impedance[k] * state.in_annulus(k);
+  return sum;
+}
+
+void advance_pressure_waves(const MudPumpSpec& pump, const HydraulicCircuit& circuit, const PressureWaves& waves,
+                            double commanded, const WaveLoads& loads, double time, double step, double& flow,
+                            HydraulicState& state, PressureWaveState& wave_state) noexcept
+{
+  const double before = state.strokes;
+  state.pump_flow = advance_pump(pump, state.pump_flow, commanded, step);
+  const double rate = state.pump_flow / pump.stroke_volume;
+  state.strokes += rate * step;
+  Tick tick(pump, circuit, waves, loads, state, wave_state);
+  while (wave_state.time + waves.tick <= time + step + in_time)
+  {
+    const double strokes = std::max(wave_state.strokes, before + rate * (wave_state.time + waves.tick - time));
+    const double delivered =
+        delivered_strokes(strokes, waves.spec.cylinders) - delivered_strokes(wave_state.strokes, waves.spec.cylinders);
+    wave_state.strokes = strokes;
+    tick.advance(pump.stroke_volume * delivered / waves.tick);
+  }
+  flow = wave_state.bit_flow;
+  state.stand_pipe_pressure = wave_state.pump_pressure;
+  state.annulus_pressure = wave_state.bit_pressure;
+  state.return_flow = wave_state.return_flow;
+  state.relief_open = wave_state.relief_open;
+  state.bore_gel = advance_gel(state.bore_gel, flow, step);
+  state.annulus_gel = advance_gel(state.annulus_gel, std::abs(state.return_flow), step);
+}
+
+}  // namespace drill_rig_sim
