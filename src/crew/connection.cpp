@@ -150,6 +150,7 @@ State made_up(const Model& model, const State& before, int held, double travel, 
   state.memory.last_step = 0.0;
   for (PastQuantity& past : state.memory.past) past.nodes.resize(nodes);
   state.step.wanted = 0.0;
+  state.mud_waves = waves_at_rest(model.mud().waves, state.time, state.hydraulics.strokes);  // the open string has no pressure
   return state;
 }
 

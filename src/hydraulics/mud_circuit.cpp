@@ -134,12 +134,11 @@ MudSections sections_of(const MudWay& way, const Mesh& mesh, const std::vector<S
 }
 
 /// By the rheology.
-void lose_by_law(const MudWay& way, const Mesh& mesh, const std::vector<Stretch>& stretches, const Gradients& gradients,
-                 MudCircuit& out)
+void lose_by_law(const MudWay& way, const MudSections& sections, const Gradients& gradients, MudCircuit& out)
 {
   const double flow = way.pump.max_flow;
   SectionLosses& law = out.circuit.law;
-  law = section_losses(gradients.curve(), way.mud.density, sections_of(way, mesh, stretches, gradients), flow);
+  law = section_losses(gradients.curve(), way.mud.density, sections, flow);
   const double lines = law.lines_loss(flow), bore = law.bore.at(flow).loss, inner = law.inner(flow).loss;
   out.losses = {lines, bore, inner - lines - bore, law.outer(flow, 0.0).loss};
   out.circuit.bore.loss = inner;
@@ -182,6 +181,80 @@ void share_losses(const std::vector<Stretch>& stretches, const Stretch& all, Mud
   }
 }
 
+/// Number and length of the section that a passage is of.
+void set_section(const std::vector<PassageLength>& sections, const Passage& passage, WaveStretch& out)
+{
+  const auto found = std::find_if(sections.begin(), sections.end(),
+                                  [&](const PassageLength& one)
+                                  { return one.passage.outer == passage.outer && one.passage.inner == passage.inner; });
+  out.section = static_cast<std::size_t>(found - sections.begin());
+  out.section_length = found->length;
+}
+
+/// The cell of each middle of a line's stretches, in their order.
+std::vector<std::size_t> cells_of(const std::vector<WaveStretch>& stretches, std::size_t cells)
+{
+  double length = 0.0, from = 0.0;
+  for (const WaveStretch& stretch : stretches) length += stretch.length;
+  std::vector<std::size_t> out;
+  for (const WaveStretch& stretch : stretches)
+  {
+    out.push_back(
+        std::min(cells - 1, static_cast<std::size_t>((from + 0.5 * stretch.length) / length * static_cast<double>(cells))));
+    from += stretch.length;
+  }
+  return out;
+}
+
+/// Cells of bore and annulus for pressure waves.
+PressureWaves waves_of(const MudWay& way, const Mesh& mesh, const std::vector<Stretch>& stretches, const MudSections& sections,
+                       const Gradients& gradients, double gel)
+{
+  std::vector<WaveStretch> bore, annulus;  // downwards, upwards
+  std::vector<std::size_t> in_bore, in_annulus;
+  for (std::size_t e = 0; e < stretches.size(); ++e)
+  {
+    const MeshElement& element = mesh.elements[e];
+    const Stretch& s = stretches[e];
+    if (s.bore_loss > 0.0)
+    {
+      WaveStretch down{element.section.length, s.bore_volume, 0.0, s.bore_gel * gel};
+      set_section(sections.bore, gradients.bore_of(diameter_of(element.bore_area)), down);
+      bore.insert(bore.begin(), down);
+      in_bore.insert(in_bore.begin(), e);
+    }
+    if (s.hole <= 0.0) continue;
+    WaveStretch up{element.section.length, s.annulus_volume, element.outer_area, s.annulus_gel * gel};
+    set_section(sections.annulus, gradients.annulus_of(s.hole, element.outer_diameter), up);
+    annulus.push_back(up);
+    in_annulus.push_back(e);
+  }
+  PressureWaves out;
+  if (bore.empty() || annulus.empty()) return out;
+  const auto length_of = [](const std::vector<WaveStretch>& line)
+  {
+    double sum = 0.0;
+    for (const WaveStretch& stretch : line) sum += stretch.length;
+    return sum;
+  };
+  const double speed = std::sqrt(way.mud.bulk_modulus / way.mud.density);
+  out.spec = *way.waves;
+  out.density = way.mud.density;
+  out.tick = wave_tick(length_of(bore), speed);
+  const auto cells = [&](const std::vector<WaveStretch>& line)
+  { return static_cast<std::size_t>(std::max(2.0, std::round(length_of(line) / (speed * out.tick)))); };
+  out.bore = wave_line(bore, cells(bore), out.tick, way.mud.bulk_modulus);
+  out.annulus = wave_line(annulus, cells(annulus), out.tick, way.mud.bulk_modulus);
+  out.bore_losses = bore_section_losses(gradients.curve(), way.mud.density, sections, way.pump.max_flow);
+  out.bore_cell.assign(stretches.size(), out.bore.cells() - 1);  // the bit's own is the lowest
+  out.annulus_cell.assign(stretches.size(), PressureWaves::no_cell);
+  const std::vector<std::size_t> bore_cells = cells_of(bore, out.bore.cells()),
+                                 annulus_cells = cells_of(annulus, out.annulus.cells());
+  for (std::size_t k = 0; k < bore.size(); ++k) out.bore_cell[in_bore[k]] = bore_cells[k];
+  for (std::size_t k = 0; k < annulus.size(); ++k) out.annulus_cell[in_annulus[k]] = annulus_cells[k];
+  return out;
+}
+
 /// What pressures do to an element.
 void add_forces(const MudWay& way, const MeshElement& element, const Stretch& stretch, double annulus_here, MudCircuit& out)
 {
@@ -221,7 +294,8 @@ MudCircuit mud_circuit(const MudWay& way, const Mesh& mesh)
   out.tubular_loss = all.bore_loss + all.annulus_loss;
   out.circuit.nominal_flow = way.pump.max_flow;
   out.circuit.exponent = way.pump.loss_exponent;
-  way.rheology ? lose_by_law(way, mesh, stretches, gradients, out) : lose_by_coefficient(way.pump, all, out);
+  const MudSections sections = way.rheology ? sections_of(way, mesh, stretches, gradients) : MudSections();
+  way.rheology ? lose_by_law(way, sections, gradients, out) : lose_by_coefficient(way.pump, all, out);
   const double inner = out.circuit.bore.loss;
   // of a gel, what the law has as its yield stress is no more
   const double gel = way.rheology ? std::max(0.0, way.mud.gel_strength - gradients.curve().yield_stress) : way.mud.gel_strength;
@@ -229,6 +303,7 @@ MudCircuit mud_circuit(const MudWay& way, const Mesh& mesh)
   out.circuit.annulus = {all.annulus_volume / way.mud.bulk_modulus, out.losses.annulus, all.annulus_gel * gel};
   out.bore_friction = inner > 0.0 ? out.losses.bore / inner : 0.0;
   share_losses(stretches, all, out);
+  if (way.rheology && way.waves) out.waves = waves_of(way, mesh, stretches, sections, gradients, gel);
   out.displaced_area = way.rheology ? out.circuit.law.displaced_area : displaced_area(stretches, out);
   for (std::size_t e = 0; e < mesh.elements.size(); ++e)
     add_forces(way, mesh.elements[e], stretches[e], out.annulus_here[e], out);
@@ -267,6 +342,16 @@ MudPressures mud_pressures(const MudCircuit& mud, const HydraulicState& state, d
   if (c.law.any()) return {state.stand_pipe_pressure, c.law.lines_loss(flow), c.law.bore.at(flow).loss, state.annulus_pressure};
   return {state.stand_pipe_pressure, 0.0, mud.bore_friction * c.bore.loss * std::pow(flow / c.nominal_flow, c.exponent),
           state.annulus_pressure};
+}
+
+MudPressures wave_pressures(const HydraulicState& state, const PressureWaveState& waves, double load) noexcept
+{
+  MudPressures out;
+  out.stand_pipe = state.stand_pipe_pressure;
+  out.annulus = state.annulus_pressure;
+  out.load = load;
+  out.waves = &waves;
+  return out;
 }
 
 }  // namespace drill_rig_sim

@@ -102,16 +102,30 @@ double motor_load(const Model& model, const State& state) noexcept
   return state.faults.motor_locked ? model.motor()->stall_torque : state.bit.motor_torque;
 }
 
+MudPressures pressures_in_mud(const Model& model, const State& state) noexcept
+{
+  const bool has_waves = !state.mud_waves.bore_with.empty();  // not before the start's equilibrium
+  return has_waves ? wave_pressures(state.hydraulics, state.mud_waves, state.cuttings.load)
+                   : mud_pressures(model.mud(), state.hydraulics, state.flow);
+}
+
 namespace
 {
+/// That a hole in the pipe is in.
+std::size_t leaking_element(const Model& model, const State& state) noexcept
+{
+  std::size_t e = 0;
+  while (e + 1 < model.mesh().elements.size() && model.mesh().nodes[e + 1].from_bit < state.faults.leak_from_bit) ++e;
+  return e;
+}
+
 /// Through a hole in the pipe [m3/s].
 double leak_flow(const Model& model, const State& state) noexcept
 {
   const FaultState& faults = state.faults;
   if (faults.leak_area <= 0.0) return 0.0;
-  const MudPressures pressures = mud_pressures(model.mud(), state.hydraulics, state.flow);
-  std::size_t e = 0;
-  while (e + 1 < model.mesh().elements.size() && model.mesh().nodes[e + 1].from_bit < faults.leak_from_bit) ++e;
+  const MudPressures pressures = pressures_in_mud(model, state);
+  const std::size_t e = leaking_element(model, state);
   return orifice_flow(faults.leak_area, pressures.in_bore(model.mud(), e) - pressures.in_annulus(model.mud(), e),
                       model.scene().mud.density);
 }
@@ -123,7 +137,15 @@ void advance_mud(const Model& model, double commanded, double step, State& state
   const double over_motor =
       motor ? mud_motor_pressure(mud_motor_leakage, motor->pressure_displacement(), motor_load(model, state)) : 0.0;
   const MudCircuit& mud = model.mud();
-  const double displaced = mud.displaced_area > 0.0 ? mud.displaced_area * running_speed(mud, state.nodes) : 0.0;
+  const double speed = mud.displaced_area > 0.0 ? running_speed(mud, state.nodes) : 0.0, displaced = mud.displaced_area * speed;
+  if (mud.waves.any())
+  {
+    fill_bore(model, state);
+    const MudWays ways{plug_pressure(model, state), 0.0, 0.0, state.cuttings.load, state.cuttings.narrowing};
+    const WaveLoads loads{over_motor, displaced, speed, ways, state.faults.leak_area, leaking_element(model, state)};
+    return advance_pressure_waves(model.scene().rig.mud_pump, mud.circuit, mud.waves, commanded, loads, state.time, step,
+                                  state.flow, state.hydraulics, state.mud_waves);
+  }
   const MudWays ways{plug_pressure(model, state), leak_flow(model, state), fill_bore(model, state), state.cuttings.load,
                      state.cuttings.narrowing};
   advance_hydraulics(model.scene().rig.mud_pump, mud.circuit, commanded, over_motor, displaced, step, state.flow,

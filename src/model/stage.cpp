@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "drill_rig_sim/math/rotation.h"
+#include "drill_rig_sim/model/evaluate.h"
 #include "drill_rig_sim/model/forces/hoisting.h"
 #include "drill_rig_sim/model/forces/pads.h"
 #include "drill_rig_sim/model/forces/place_drag.h"
@@ -33,7 +34,7 @@ Vector3d up_along(const State& state, std::size_t e) noexcept
 void take_pressures(const Model& model, const State& state, Stage& stage) noexcept
 {
   const MudCircuit& mud = model.mud();
-  const MudPressures pressures = mud_pressures(mud, state.hydraulics, state.flow);
+  const MudPressures pressures = pressures_in_mud(model, state);
   const bool pumped = pressures.any();
   for (std::size_t e = 0; e < state.spans.size(); ++e)
   {

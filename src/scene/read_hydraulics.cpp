@@ -119,10 +119,14 @@ bool is_by_viscosity(const RheologySpec& rheology)
 void read_mud(const YAML::Node& node, const std::string& path, Scene& scene, Problems& problems)
 {
   const std::map<std::string, YAML::Node> entries = read_block(node, path, mud_keys, every_kind, scene.mud, problems);
-  const auto fill = entries.find("fill"), rheology = entries.find("rheology"), cuttings = entries.find("cuttings");
+  const auto fill = entries.find("fill"), rheology = entries.find("rheology"), cuttings = entries.find("cuttings"),
+             waves = entries.find("pressure_waves");
   if (fill != entries.end()) read_fill(fill->second, join(path, "fill"), scene.mud.fill, problems);
   if (cuttings != entries.end())
     read_block(cuttings->second, join(path, "cuttings"), cuttings_keys, every_kind, scene.cuttings.emplace(), problems);
+  if (waves != entries.end())
+    read_block(waves->second, join(path, "pressure_waves"), pressure_waves_keys, every_kind, scene.pressure_waves.emplace(),
+               problems);
   if (rheology == entries.end()) return;
   scene.rheology.emplace();
   read_rheology(rheology->second, join(path, "rheology"), *scene.rheology, problems);
@@ -155,7 +159,8 @@ void check_hydraulics(const Scene& scene, Problems& problems)
     problems.add("string[0].nozzle_area", "is given together with nozzles, allowed: one of the two");
   if (!scene.rheology)
   {
-    for (const char* key : {"string[0].nozzles", "string[0].nozzle_area", "rig.mud_pump.surface_lines", "mud.cuttings"})
+    for (const char* key :
+         {"string[0].nozzles", "string[0].nozzle_area", "rig.mud_pump.surface_lines", "mud.cuttings", "mud.pressure_waves"})
       refuse_without_rheology(key, problems);
     return;
   }
@@ -167,6 +172,11 @@ void check_hydraulics(const Scene& scene, Problems& problems)
   if (scene.mud.density <= 0.0) problems.add("mud.density", "0 is given with a mud.rheology, allowed: above 0");
   if (scene.cuttings && scene.cuttings->density <= scene.mud.density)
     problems.add("mud.cuttings.density", "must be above mud.density");
+  if (scene.pressure_waves && !scene.mud.fill.empty())
+    problems.add("mud.pressure_waves", "is given together with mud.fill, allowed: one of the two, waves need a full string");
+  if (scene.pressure_waves && scene.instruments.stand_pipe_pressure.pump_noise > 0.0)
+    problems.add("instruments.surface.stand_pipe_pressure.pump_noise",
+                 "is given together with mud.pressure_waves, which computes the pump's strokes, allowed: one of the two");
   if (!scene.string.empty() && scene.string[0].bit && scene.string[0].bit->flow_area() <= 0.0)
     problems.add("string[0].nozzles", "is missing; mud.rheology needs nozzles or nozzle_area of the bit");
 }

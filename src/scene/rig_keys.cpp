@@ -125,8 +125,8 @@ const Table<HeaveSpec> heave_keys = {"rig.heave", "Waves under a floating rig wi
     "floor; `floor_height` and `floor_velocity` of `rig_state` are the floor's. A block at its lowest or highest place moves "
     "against its stop (`stop_reached`). `tare` and operations use the average hook load over a period; topics carry the "
     "momentary one, which `instruments.surface.hook_load.filter_time` smooths. Surge and swab pressures are those of friction; "
-    "the mud's inertia, as large again in a deep well, is not modelled. For a rig with a compensator give the remaining "
-    "amplitude; pipe in the slips then heaves too little.", {
+    "the mud's inertia, as large again in a deep well, is added by `mud.pressure_waves`. For a rig with a "
+    "compensator give the remaining amplitude; pipe in the slips then heaves too little.", {
   {"amplitude",             "m",      &HeaveSpec::amplitude,               between(0.0, 10.0),
       "amplitude about the mean height of the rotary table, where depths begin; acceleration at most 3 m/s2; 0: a rig on land"},
   {"period",                "s",      &HeaveSpec::period,                  between(2.0, 60.0),   "period of the waves"},

@@ -179,6 +179,9 @@ const Table<MudSpec> mud_keys = {"mud", "The drilling fluid around and inside th
   {"cuttings",              "",       Nested{},                            none,
       "cuttings that the mud carries: their weight in the annulus, and the bed on the low side of an inclined hole with its "
       "drag on the string; `{}` takes all defaults. Needs `rheology`", no_kind, every_kind, "none, the mud stays clean"},
+  {"pressure_waves",        "",       Nested{},                            none,
+      "pressure waves in bore and annulus: pump strokes, water hammer, pulses and the delay of the pipe's length in "
+      "`stand_pipe_pressure`; `{}` takes all defaults. Needs `rheology`", no_kind, every_kind, "none, two volumes"},
   {"fill",                  "m",      Nested{},                            none,
       "mud level in a string that is run in with a float and not filled: distance along the string from the rotary table down. "
       "One number, or by bit depth `[[bit_depth, level], ...]`, linear between rows. A level at the bit or deeper: the string "
@@ -193,6 +196,20 @@ const Table<CuttingsSpec> cuttings_keys = {"mud.cuttings", "Cuttings in the mud;
       "share of mud in a bed of cuttings"},
   {"friction",              "-",      &CuttingsSpec::friction,             between(0.0, 2.0),
       "friction coefficient of a bed on the pipe that it covers, an assumption; 0: a bed has no drag"},
+}};
+
+const Table<PressureWavesSpec> pressure_waves_keys = {"mud.pressure_waves",
+    "Pressure waves in the mud, at the speed sqrt(bulk_modulus / density); needs `mud.rheology`, not together with `mud.fill`.", {
+  {"cylinders",             "",       &PressureWavesSpec::cylinders,       between(0, 12),
+      "pistons of the pump, evenly spaced over a stroke; 0: no ripple"},
+  {"dampener_volume",       "m3",     &PressureWavesSpec::dampener_volume, between(0.0, 10.0),
+      "gas volume of the pulsation dampener at the pump, at its precharge; 0: no dampener. 20 gal by default"},
+  {"dampener_pressure",     "Pa",     &PressureWavesSpec::dampener_pressure, between(0.0, 1e8),
+      "precharge of the dampener; below this pressure it has no effect"},
+  {"pulse_height",          "Pa",     &PressureWavesSpec::pulse_height,    between(0.0, 2e7),
+      "pressure that a closed pulser of the MWD adds at the bit at the pump's `max_flow`, in proportion to flow^2; 0: no pulses"},
+  {"pulse_period",          "s",      &PressureWavesSpec::pulse_period,    between(0.1, 100.0),
+      "period of the pulses; the pulser is closed for the first half of it"},
 }};
 
 const Table<RheologySpec> rheology_keys = {"mud.rheology",

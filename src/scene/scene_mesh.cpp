@@ -256,7 +256,9 @@ Mesh build_mesh(const Scene& scene, double total_length)
 MudCircuit mud_circuit(const Scene& scene, const Mesh& mesh)
 {
   const RheologySpec* rheology = scene.rheology ? &*scene.rheology : nullptr;
-  return mud_circuit({scene.rig.mud_pump, scene.mud, scene.well.sections, scene.string, scene.start.bit_depth, rheology}, mesh);
+  const PressureWavesSpec* waves = scene.pressure_waves ? &*scene.pressure_waves : nullptr;
+  return mud_circuit({scene.rig.mud_pump, scene.mud, scene.well.sections, scene.string, scene.start.bit_depth, rheology, waves},
+                     mesh);
 }
 
 }  // namespace drill_rig_sim

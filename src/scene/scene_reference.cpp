@@ -74,6 +74,7 @@ std::string scene_reference()
   write(out, mud_keys);
   write(out, rheology_keys, rheology_words);
   write(out, cuttings_keys);
+  write(out, pressure_waves_keys);
   PartSpec part;
   part.bit.emplace();
   part.motor.emplace();

@@ -203,9 +203,11 @@ std::string mud_of(const Scene& scene)
   const std::string fill = rows_of("fill", mud.fill, &FillLevel::bit_depth, &FillLevel::level);
   if (!rheology) return block("mud", joined({entries_of(mud_keys, mud), fill}));
   const std::string cuttings = scene.cuttings ? entry("cuttings", "{" + entries_of(cuttings_keys, *scene.cuttings) + "}") : "";
+  const std::optional<PressureWavesSpec>& given = scene.pressure_waves;
+  const std::string waves = given ? entry("pressure_waves", "{" + entries_of(pressure_waves_keys, *given) + "}") : "";
   const std::string readings = rows_of("readings", rheology->readings, &ViscometerReading::speed, &ViscometerReading::dial);
   const std::string curve = joined({entries_of(rheology_keys, *rheology, RheologySpec(), kind(rheology->law)), readings});
-  return block("mud", joined({entries_of(mud_keys, mud), fill, block("rheology", curve), cuttings}));
+  return block("mud", joined({entries_of(mud_keys, mud), fill, block("rheology", curve), cuttings, waves}));
 }
 
 std::string pump_of(const MudPumpSpec& pump)

@@ -48,7 +48,11 @@ public:
   /// or a level or integrator that has no choice.
   bool set_free_length(double from_bit) noexcept;
   /// Moves the clock by `shift` [s].
-  void shift_time(double shift) noexcept { mechanics_.time += shift; }
+  void shift_time(double shift) noexcept
+  {
+    mechanics_.time += shift;
+    mechanics_.mud_waves.time += shift;
+  }
 
   /// Goes on with another string in this state, settled before. Allocates.
   void go_on_with(std::shared_ptr<const Model> model, State state, RigForces forces, double free_length);

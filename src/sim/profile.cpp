@@ -10,6 +10,7 @@
 #include "drill_rig_sim/math/rotation.h"
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/model/bore_fill.h"
+#include "drill_rig_sim/model/evaluate.h"
 #include "drill_rig_sim/model/guides.h"
 #include "drill_rig_sim/scene/scene_mesh.h"
 #include "drill_rig_sim/sim/accuracy_watch.h"
@@ -184,7 +185,7 @@ void fill_profile(const Model& model, const State& s, const RigForces& forces, S
 {
   const Mesh& mesh = model.mesh();
   const std::size_t n = s.nodes.size();
-  const MudPressures pressures = mud_pressures(model.mud(), s.hydraulics, s.flow);
+  const MudPressures pressures = pressures_in_mud(model, s);
   const double per_metre = model.scene().mud.density * standard_gravity, surface = mud_surface(model, s);
   for (auto* values : {&out.md, &out.from_bit, &out.tension, &out.true_axial_force, &out.torque, &out.bending_moment,
                        &out.contact_force, &out.contact_side, &out.spin_speed, &out.radius, &out.bending_stress, &out.buckling})

@@ -135,6 +135,10 @@ bool SimulatedRig::restore(const SimulatorState& saved, bool keep_time)
   const bool another_string = saved.string.length != state.string.length || saved.string.bit_depth != state.string.bit_depth;
   const std::shared_ptr<const Model> restored = another_string ? pipe.model_of(saved.string) : motion.model();
   if (restored->mesh().nodes.size() != saved.mechanics.nodes.size()) return false;
+  const PressureWaves& waves = restored->mud().waves;
+  const PressureWaveState& saved_waves = saved.mechanics.mud_waves;
+  if (waves.bore.cells() != saved_waves.bore_with.size() || waves.annulus.cells() != saved_waves.annulus_with.size())
+    return false;
   state = saved;
   state.companions.states.clear();
   if (another_string)

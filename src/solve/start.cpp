@@ -366,6 +366,7 @@ RigAtRest build_at_rest(const Scene& scene)
   if (start.torque_on_bit > 0.0) rig.state.bit.twist = start.torque_on_bit / rig.model->bit_bristle_stiffness();
   if (rig.model->regenerative()) rest_on_ground(*rig.model, rig.state);
   begin_cuttings(*rig.model, rig.state);
+  rig.state.mud_waves = waves_at_rest(rig.model->mud().waves, rig.state.time, rig.state.hydraulics.strokes);
   return rig;
 }
 

@@ -83,7 +83,8 @@ using namespace drill_rig_sim;
 
 namespace
 {
-void drill(bool balance, BitTorqueModel law = BitTorqueModel::stribeck, double step = 0.01, bool cuttings = false)
+void drill(bool balance, BitTorqueModel law = BitTorqueModel::stribeck, double step = 0.01, bool cuttings = false,
+           bool waves = false)
 {
   allocations = 0;
   Scene scene = drilling_scene(0.005);
@@ -91,13 +92,14 @@ void drill(bool balance, BitTorqueModel law = BitTorqueModel::stribeck, double s
   scene.string[0].bit->torque.model = law;
   scene.instruments.hook_load = {500.0, 100.0, 0.25, 0.5};
   scene.instruments.mwd.period = 2.0;
-  if (cuttings)
+  if (cuttings || waves)
   {
     scene.rheology.emplace();
     scene.rheology->plastic_viscosity = 0.02;
     scene.rheology->yield_point = 5.0;
     scene.string[0].bit->nozzle_area = 4e-4;
-    scene.cuttings.emplace();
+    if (cuttings) scene.cuttings.emplace();
+    if (waves) scene.pressure_waves.emplace();
   }
   Simulator rig(scene);
   rig.balance_energy(balance);
@@ -145,6 +147,12 @@ TEST(Frame, allocatesNothingInStrides)
 TEST(Frame, allocatesNothingWithCuttings)
 {
   drill(false, BitTorqueModel::stribeck, 0.01, true);
+}
+
+TEST(Frame, allocatesNothingWithPressureWaves)
+{
+  drill(false, BitTorqueModel::stribeck, 0.01, false, true);
+  drill(false, BitTorqueModel::stribeck, 0.0, true, true);
 }
 
 TEST(Frame, allocatesNothingInConnections)

@@ -7,6 +7,7 @@
 
 #include "drill_rig_sim/hydraulics/hydraulics.h"
 #include "drill_rig_sim/hydraulics/mud_pump.h"
+#include "drill_rig_sim/hydraulics/pressure_waves.h"
 #include "drill_rig_sim/hydraulics/rheology.h"
 #include "drill_rig_sim/string/mesh.h"
 #include "drill_rig_sim/well/well_spec.h"
@@ -53,6 +54,9 @@
 /// 1/2 in in 7 7/8 in, 14,300 ft, 15 lb/gal, at 270 ft/min: 4.1 MPa; by his power law 3.6 (4.9 at 1.5 times the speed, for the
 /// peak); at 0.3 m/s 0.2 MPa against 1.0. With a rheology it is the law's, section by section (section_losses.h). Not in it: the
 /// jets' reaction, about rho Q v, a few kN at most.
+///
+/// With pressure waves (`mud.pressure_waves`, pressure_waves.h) the pressures in bore and annulus are those of the waves at each
+/// element. The lift goes with the annulus's pressure at the bit: right in steady flow, late or early by the wave's way else.
 namespace drill_rig_sim
 {
 constexpr double annulus_friction = 0.0133;  ///< Fanning's f
@@ -82,6 +86,7 @@ struct MudCircuit
       0.0;  ///< of bore and annulus at the largest flow by the rules above, whatever pressure_coefficient says [Pa]
   double bore_friction = 0.0;  ///< share of circuit.bore.loss that is the bore's; the rest is the bit's and the surface lines'
   LossesAtLargestFlow losses;
+  PressureWaves waves;  ///< none without mud.pressure_waves
 };
 
 /// Annular pressure gradient [Pa/m] of a flow [m3/s] of mud of a density [kg/m3] between a hole and a string of diameters [m]; 0
@@ -97,8 +102,9 @@ struct MudWay
   const MudSpec& mud;
   const std::vector<HoleSection>& hole;
   const std::vector<PartSpec>& string;
-  double bit_depth;                        ///< [m]
-  const RheologySpec* rheology = nullptr;  ///< none: by pressure_coefficient
+  double bit_depth;                          ///< [m]
+  const RheologySpec* rheology = nullptr;    ///< none: by pressure_coefficient
+  const PressureWavesSpec* waves = nullptr;  ///< with a rheology only
 };
 
 MudCircuit mud_circuit(const MudWay& way, const Mesh& mesh);
@@ -114,14 +120,21 @@ struct MudPressures
   double lines = 0.0;       ///< lost in the surface lines [Pa]
   double friction = 0.0;    ///< lost in the bore [Pa]
   double annulus = 0.0;     ///< at the bit [Pa]
+  double load = 0.0;        ///< of it, what cuttings weigh; with waves only [Pa]
+  const PressureWaveState* waves = nullptr;
 
   /// At an element's middle [Pa].
   double in_bore(const MudCircuit& mud, std::size_t e) const noexcept
   {
-    return stand_pipe - lines - mud.bore_above[e] * friction;
+    return waves ? waves->in_bore(mud.waves.bore_cell[e]) : stand_pipe - lines - mud.bore_above[e] * friction;
   }
-  double in_annulus(const MudCircuit& mud, std::size_t e) const noexcept { return mud.annulus_above[e] * annulus; }
-  bool any() const noexcept { return stand_pipe != 0.0 || annulus != 0.0; }
+  double in_annulus(const MudCircuit& mud, std::size_t e) const noexcept
+  {
+    if (!waves) return mud.annulus_above[e] * annulus;
+    const std::size_t cell = mud.waves.annulus_cell[e];
+    return cell == PressureWaves::no_cell ? 0.0 : waves->in_annulus(cell) + mud.annulus_above[e] * load;
+  }
+  bool any() const noexcept { return waves || stand_pipe != 0.0 || annulus != 0.0; }
 };
 
 /// The annulus's pressure along the hole, above the hydrostatic one, as a share of that at the bit: at a distance above the bit's
@@ -130,6 +143,9 @@ double annulus_share(const MudCircuit& mud, const Mesh& mesh, double from_bit) n
 
 /// @param flow  through the bore [m3/s]
 MudPressures mud_pressures(const MudCircuit& mud, const HydraulicState& state, double flow) noexcept;
+/// The same of a circuit with waves; the result refers to them.
+/// @param load  weight of cuttings at the bit [Pa]
+MudPressures wave_pressures(const HydraulicState& state, const PressureWaveState& waves, double load) noexcept;
 
 }  // namespace drill_rig_sim
 

@@ -41,6 +41,8 @@ double motor_load(const Model& model, const State& state) noexcept;
 /// before.
 /// @param commanded  of the pump [m3/s]
 void advance_mud(const Model& model, double commanded, double step, State& state) noexcept;
+/// Pressures in the mud; the result refers to the state.
+MudPressures pressures_in_mud(const Model& model, const State& state) noexcept;
 /// The same in statics: advances only bristles.
 void advance_static(const Workspace& work, State& state) noexcept;
 

@@ -9,6 +9,7 @@
 
 #include "drill_rig_sim/contact/cut_ground.h"
 #include "drill_rig_sim/hydraulics/hydraulics.h"
+#include "drill_rig_sim/hydraulics/pressure_waves.h"
 #include "drill_rig_sim/model/cuttings_state.h"
 #include "drill_rig_sim/model/fault_state.h"
 #include "drill_rig_sim/rig/heave.h"
@@ -261,6 +262,7 @@ struct State
       Eigen::Vector3d::Zero();  ///< of a shaft that points the bit (pointing.h), across its collar, world axes [rad]
   FaultState faults;
   HydraulicState hydraulics;
+  PressureWaveState mud_waves;  ///< empty without mud.pressure_waves
   CuttingsState cuttings;
   double flow = 0.0;  ///< through string, motor and bit; constant within a step [m3/s]
 
@@ -283,6 +285,7 @@ struct State
     v("lean", lean);
     v("faults", faults);
     v("hydraulics", hydraulics);
+    v("mud_waves", mud_waves);
     v("cuttings", cuttings);
     v("flow", flow);
   }

@@ -10,6 +10,7 @@
 #include "drill_rig_sim/contact/contact_spec.h"
 #include "drill_rig_sim/hydraulics/mud_pump.h"
 #include "drill_rig_sim/hydraulics/cuttings.h"
+#include "drill_rig_sim/hydraulics/pressure_waves.h"
 #include "drill_rig_sim/hydraulics/rheology.h"
 #include "drill_rig_sim/rig/heave.h"
 #include "drill_rig_sim/rig/hoisting.h"
@@ -91,8 +92,9 @@ struct Scene
   WellSpec well;
   std::vector<FormationLayer> formation;
   MudSpec mud;
-  std::optional<RheologySpec> rheology;  ///< the file's mud.rheology; none: losses by pressure_coefficient
-  std::optional<CuttingsSpec> cuttings;  ///< the file's mud.cuttings, with a rheology only; none: mud stays clean
+  std::optional<RheologySpec> rheology;             ///< the file's mud.rheology; none: losses by pressure_coefficient
+  std::optional<PressureWavesSpec> pressure_waves;  ///< the file's mud.pressure_waves, with a rheology only; none: two volumes
+  std::optional<CuttingsSpec> cuttings;             ///< the file's mud.cuttings, with a rheology only; none: mud stays clean
   std::vector<PartSpec> string;
   RigSpec rig;
   ContactSpec contact;
