@@ -143,7 +143,6 @@ TEST(Frame, allocatesNothingInStrides)
   drill(true, BitTorqueModel::stribeck, 0.0);
 }
 
-// The crew works between the frames.
 TEST(Frame, allocatesNothingWithCuttings)
 {
   drill(false, BitTorqueModel::stribeck, 0.01, true);
@@ -155,6 +154,7 @@ TEST(Frame, allocatesNothingWithPressureWaves)
   drill(false, BitTorqueModel::stribeck, 0.0, true, true);
 }
 
+// The crew works between the frames.
 TEST(Frame, allocatesNothingInConnections)
 {
   allocations = 0;
