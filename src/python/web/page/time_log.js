@@ -10,9 +10,11 @@ import { clockText, shownValue } from "./units.js";
 const SPANS = [[60, "1 min"], [300, "5 min"], [1800, "30 min"], [7200, "2 h"], [0, "whole run"]];
 const MOST_ROWS = 500;
 const KINDS = ["rotary", "slide", "connection", "trip", "circulate", "other"];
-let span = 300, until = null, tracks = [], bar = null;
+const USUAL_SPAN = 300;  // [s]
+let span = null, until = null, tracks = [], bar = null;
 
 export function buildTimeLog() {
+  if (span === null) span = store.hello.live ? USUAL_SPAN : 0;  // of a recorded run all
   dropAll();
   const box = byId("time_log"), spans = make("select", { id: "span", "aria-label": "time shown", onchange: () => chooseSpan(Number(spans.value)) },
     ...SPANS.map(([seconds, text]) => make("option", { value: seconds, text, selected: seconds === span })));
