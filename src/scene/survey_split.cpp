@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <string_view>
 
 namespace drill_rig_sim
 {
@@ -64,20 +65,20 @@ struct Placed
 
 bool is_blank(char c)
 {
-  return c == ' ' || c == '\t' || c == '\r';
+  return std::string_view(blanks).find(c) != std::string_view::npos;
 }
 
 // texts parted by so many blanks or more
-std::vector<Placed> placed_texts(const std::string& line, long blanks)
+std::vector<Placed> placed_texts(const std::string& line, long apart)
 {
   std::vector<Placed> found;
-  long place = 0, last = -blanks;
+  long place = 0, last = -apart;
   for (const char c : line)
   {
     const bool continues = (static_cast<unsigned char>(c) & 0xc0) == 0x80;  // of a sign of several bytes
     if (!is_blank(c))
     {
-      if (found.empty() || place - last > blanks)
+      if (found.empty() || place - last > apart)
         found.push_back({"", place, place});
       else if (place - last > 1)
         found.back().text += ' ';

@@ -26,6 +26,18 @@ class Folder(InFolder):
         for line in remarks:
             self.assertIn(line, "\n".join(record.remarks))
 
+    def all_right(self, texts, *args, **options):
+        """Texts by what is special in them, each read as ROWS."""
+        for what, text in dict(texts).items():
+            with self.subTest(what):
+                self.right(self.read(text, *args, **options))
+
+    def all_refused(self, cases):
+        """Texts and what their refusals say, by what is special in them."""
+        for what, (text, said) in cases.items():
+            with self.subTest(what):
+                self.refused(said, text)
+
     def refused(self, said, *args, **options):
         """In one line that holds these texts."""
         with self.assertRaises(RecordError, msg=said) as caught:

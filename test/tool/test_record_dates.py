@@ -48,14 +48,10 @@ class Dates(Folder):
     """Kind 07."""
 
     def test_what_is_read(self):
-        for what, text in READ.items():
-            with self.subTest(what):
-                self.right(self.read(text))
+        self.all_right(READ)
 
     def test_what_is_refused(self):
-        for what, (text, said) in REFUSED.items():
-            with self.subTest(what):
-                self.refused(said, text)
+        self.all_refused(REFUSED)
 
     def test_a_number_that_the_map_calls_a_date(self):
         self.refused("T: 45413.50000000 is not a date with a time of day, but a spreadsheet's days since 1899-12-30; needed: a map, --columns, {column: T, unit: d}",

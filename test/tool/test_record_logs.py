@@ -297,17 +297,15 @@ class Las(Folder):
         dated = "TIME. : t\nHKLD.klbf : x\nBPOS.ft : x\n"
         two = "DATE. : d\nTIME.HH:MM:SS : t\nHKLD.klbf : x\nBPOS.ft : x\n"
         rows = [(stamp[:10], stamp[11:19], h, b) for stamp, (_, h, b) in zip(STAMPS, ROWS)]
-        for what, text in (("commas", las(rows=["%g,%g,%g" % row for row in ROWS])), ("DLM", las(version="2.0 : v\n DLM. COMMA", rows=["%g, %g, %g" % row for row in ROWS])),
-                           ("tabs", las(version="2.0 : v\n DLM. TAB", rows=["%g\t%g\t%g" % row for row in ROWS])), ("no blanks", las(curves="TIME.S:\nHKLD.KLBF:load\nBPOS.FT:\n")), ("an end of DOS", las() + "\x1a"), ("more colons", las(version="2.0 : LAS: 2", null="-999 : no: value")),
-                           ("no colons", las(curves="TIME.S\nHKLD.KLBF\nBPOS.FT\n")),
-                           ("colons", las(curves="TIME.S : Time: of day\nHKLD.KLBF 45 66 : Hook: load (avg: 5 s)\nBPOS.FT : 10:20\n")),
-                           ("a unit with a blank", las(curves="TIME.S : t\nHKLD.1000 lbf : h\nBPOS.FT : b\n")), ("brackets", las(curves="TIME.[s] : t\nHKLD.(klbf) : h\nBPOS.[ft] : b\n")),
-                           ("the unit of STRT", las(curves="TIME. : t\nHKLD.KLBF : h\nBPOS.FT : b\n")), ("other sections", las().replace("~PARAMETER", "~OTHER\n a: 3.5 b\n~PARAMETER\n~Other\nx")),
-                           ("blanks before", las().replace("~", " ~")), ("small letters", las().replace("~C", "~c").replace("~A", "~a")), ("names after ~A", las().replace("~ASCII LOG DATA", "~A TIME HKLD BPOS")),
-                           ("a blank in the date", las(curves=dated, rows=["%s %s %g %g" % row for row in rows])), ("quotes", las(curves=dated, rows=['"%s %s" %g %g' % row for row in rows])),
-                           ("date and time", las(curves=two, rows=["%s %s %g %g" % row for row in rows]))):
-            with self.subTest(what):
-                self.right(self.read(text, name="r.las"))
+        self.all_right((("commas", las(rows=["%g,%g,%g" % row for row in ROWS])), ("DLM", las(version="2.0 : v\n DLM. COMMA", rows=["%g, %g, %g" % row for row in ROWS])),
+                        ("tabs", las(version="2.0 : v\n DLM. TAB", rows=["%g\t%g\t%g" % row for row in ROWS])), ("no blanks", las(curves="TIME.S:\nHKLD.KLBF:load\nBPOS.FT:\n")), ("an end of DOS", las() + "\x1a"), ("more colons", las(version="2.0 : LAS: 2", null="-999 : no: value")),
+                        ("no colons", las(curves="TIME.S\nHKLD.KLBF\nBPOS.FT\n")),
+                        ("colons", las(curves="TIME.S : Time: of day\nHKLD.KLBF 45 66 : Hook: load (avg: 5 s)\nBPOS.FT : 10:20\n")),
+                        ("a unit with a blank", las(curves="TIME.S : t\nHKLD.1000 lbf : h\nBPOS.FT : b\n")), ("brackets", las(curves="TIME.[s] : t\nHKLD.(klbf) : h\nBPOS.[ft] : b\n")),
+                        ("the unit of STRT", las(curves="TIME. : t\nHKLD.KLBF : h\nBPOS.FT : b\n")), ("other sections", las().replace("~PARAMETER", "~OTHER\n a: 3.5 b\n~PARAMETER\n~Other\nx")),
+                        ("blanks before", las().replace("~", " ~")), ("small letters", las().replace("~C", "~c").replace("~A", "~a")), ("names after ~A", las().replace("~ASCII LOG DATA", "~A TIME HKLD BPOS")),
+                        ("a blank in the date", las(curves=dated, rows=["%s %s %g %g" % row for row in rows])), ("quotes", las(curves=dated, rows=['"%s %s" %g %g' % row for row in rows])),
+                        ("date and time", las(curves=two, rows=["%s %s %g %g" % row for row in rows]))), name="r.las")
         self.refused('format: "%d/%m/%Y %H:%M:%S" or "%m/%d/%Y %H:%M:%S"', las(curves=two, rows=["01/05/2024 %s %g %g" % row[1:] for row in rows]), name="r.las")
         self.refused("TIME: unit M is not known for a time", las(curves="TIME.M : t\nHKLD.KLBF : h\n", rows=["0 1", "5 1"]), name="r.las")
         self.refused("there is a second section ~A", las() + "~A\n", name="r.las")
@@ -349,16 +347,14 @@ class Las3(Folder):
         second = "~Log_Definition[2]\nTIME.S :\nHKLD.klbf :\nBPOS.FT :\n~Log_Data[2] | Log_Definition[2]\n10,202.5,29\n15,203,28\n"
         whole = "DATE_TIME. : t {YYYY-MM-DD hh:mm:ss}\nHKLD.klbf : {F}\nBPOS.FT : {F}\n"
         apart = "DATE. : d {MM/DD/YYYY}\nTIME. : t {hh:mm:ss}\nHKLD.klbf : {F}\nBPOS.FT : {F}\n"
-        for what, text in (("commas", las3()), ("blanks", las3(delimiter="SPACE", rows=["%g  %g  %g" % row for row in ROWS])),
-                           ("tabs", las3(delimiter="TAB", rows=["%g\t%g\t%g" % row for row in ROWS])),
-                           ("the last row first", las3(rows=["%g,%g,%g" % row for row in ROWS[::-1]], ends="15 :\nSTOP.S 0")),
-                           ("log data", replaced(las3(), log)), ("two runs", replaced(las3(rows=["0,200,30", "5,201,29.5"], more=second), runs)),
-                           ("no name of the definition", las3().replace("~ASCII | Curve", "~ASCII")),
-                           ("dates", las3(whole, ["2024-05-01 10:00:%02d,%g,%g" % row for row in ROWS])), ("date and time", las3(apart, ["05/01/2024,10:00:%02d,%g,%g" % row for row in ROWS])),
-                           ("texts with the delimiter", las3(curves="TIME.S :\nACT. : {S}\nHKLD.klbf :\nBPOS.FT :\n", rows=['%g,"in, slips",%g,%g' % row for row in ROWS])),
-                           ("other data", las3(more="~Core_Definition\nTOP.M : {F}\n~Core_Data | Core_Definition\n1\n2\n"))):
-            with self.subTest(what):
-                self.right(self.read(text, name="r.las"))
+        self.all_right((("commas", las3()), ("blanks", las3(delimiter="SPACE", rows=["%g  %g  %g" % row for row in ROWS])),
+                        ("tabs", las3(delimiter="TAB", rows=["%g\t%g\t%g" % row for row in ROWS])),
+                        ("the last row first", las3(rows=["%g,%g,%g" % row for row in ROWS[::-1]], ends="15 :\nSTOP.S 0")),
+                        ("log data", replaced(las3(), log)), ("two runs", replaced(las3(rows=["0,200,30", "5,201,29.5"], more=second), runs)),
+                        ("no name of the definition", las3().replace("~ASCII | Curve", "~ASCII")),
+                        ("dates", las3(whole, ["2024-05-01 10:00:%02d,%g,%g" % row for row in ROWS])), ("date and time", las3(apart, ["05/01/2024,10:00:%02d,%g,%g" % row for row in ROWS])),
+                        ("texts with the delimiter", las3(curves="TIME.S :\nACT. : {S}\nHKLD.klbf :\nBPOS.FT :\n", rows=['%g,"in, slips",%g,%g' % row for row in ROWS])),
+                        ("other data", las3(more="~Core_Definition\nTOP.M : {F}\n~Core_Data | Core_Definition\n1\n2\n"))), name="r.las")
         self.assertTrue(math.isnan(self.read(las3(rows=["0,200,30", "5,,29.5", "10,202.5,29"]), name="r.las").signals["hook_load"][1]))
 
     def test_what_is_refused(self):

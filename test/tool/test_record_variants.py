@@ -144,9 +144,7 @@ REFUSED = {
 
 class Tables(Folder):
     def test_what_is_read(self):
-        for what, text in READ.items():
-            with self.subTest(what):
-                self.right(self.read(text))
+        self.all_right(READ)
 
     def test_time_zones(self):
         """Of the cells, or of the header where the cells have none: 09:59:50 by it."""
@@ -205,14 +203,10 @@ class Tables(Folder):
                      MAP.replace("unit: s", 'format: "%d/%m/%Y %H:%M:%S %Z"'))
 
     def test_what_is_refused(self):
-        for what, (text, said) in REFUSED.items():
-            with self.subTest(what):
-                self.refused(said, text)
+        self.all_refused(REFUSED)
 
     def test_the_same_with_a_map(self):
-        for what, text in (("title", "Hookloads of T 7\nT: s\n" + table(header=("T", "H", "B"))), ("bars", table("|", ("T", "H", "B"))), ("blanks", table("  ", ("T", "H", "B")))):
-            with self.subTest(what):
-                self.right(self.read(text, MAP))
+        self.all_right((("title", "Hookloads of T 7\nT: s\n" + table(header=("T", "H", "B"))), ("bars", table("|", ("T", "H", "B"))), ("blanks", table("  ", ("T", "H", "B")))), MAP)
         grouped = table("\t", ("T", "H", "B"), load=1e3).replace("200000", "200,000").replace("202500", "202,500")
         self.right(self.read(grouped, MAP.replace("klbf", "lbf") + "decimal: point\n"))
         self.right(self.read(table(" ", ("T", "H", "B")), MAP + "delimiter: blank\n"))
@@ -347,9 +341,7 @@ class Tables(Folder):
 
     def test_time_series_of_the_runner(self):
         own = "time,hook_load,bit_torque,bit_up,reading_hook_load,reading_block_height\n" + "".join("%g,1,0,0,%.9g,%.9g\n" % (t, KLBF * h, FEET * b) for t, h, b in ROWS)
-        for what, text in (("as it is", own), ("title", "Run 7\n" + own), ("spreadsheet", own.replace(",", ";").replace(".", ","))):
-            with self.subTest(what):
-                self.right(self.read(text))
+        self.all_right((("as it is", own), ("title", "Run 7\n" + own), ("spreadsheet", own.replace(",", ";").replace(".", ","))))
         self.refused("needed: drill run --csv --readings", own.replace("reading_", "r_"))
 
     def test_items_of_wits(self):
