@@ -140,26 +140,32 @@ class Rig(Lockstep):
         self._operations = client = actionlib.SimpleActionClient(self._prefix + "/run_operations", RunOperationsAction)
         client.wait_for_server()
         client.send_goal(RunOperationsGoal(operations=yaml_of(operations)))
-        asked = time.monotonic()
-        while client.get_state() == GoalStatus.PENDING:
-            time.sleep(0.01)
-            if time.monotonic() > asked + ASK_AGAIN:
-                asked = time.monotonic()
-                self._look()  # raises Lost where the node is gone
+        self._wait_while(lambda: client.get_state() == GoalStatus.PENDING)
         if client.get_state() == GoalStatus.ABORTED:
-            raise Refused(client.get_result().message)
+            raise Refused(self.given_up)
         return self._look()
 
     @property
     def given_up(self):
         """Why the operation under way was given up, the block braked; "": it was not."""
         client = self._operations
-        return client.get_result().message if client and client.get_state() == GoalStatus.ABORTED else ""
+        if not client or client.get_state() != GoalStatus.ABORTED:
+            return ""
+        self._wait_while(lambda: client.get_result() is None)  # a topic of its own, which may be later than the state's
+        return client.get_result().message
 
     # --- the connection
 
     def _set(self, kind, **fields):
         setattr(self._request, kind, [COMMANDS[kind](**fields)])
+
+    def _wait_while(self, condition):
+        asked = time.monotonic()
+        while condition():
+            time.sleep(0.01)
+            if time.monotonic() > asked + ASK_AGAIN:
+                asked = time.monotonic()
+                self._look()  # raises Lost where the node is gone
 
     def _advance(self, frames):
         self._request.frames = frames

@@ -30,8 +30,8 @@ class OperationsAction(unittest.TestCase):
         wait_until(lambda: self.rig.advance(0).operation_number == 1, "the operations begin")
 
     def end(self):
-        """State and result, once the goal has ended."""
-        wait_until(lambda: self.client.get_state() in ENDS, "the goal ends")
+        """State and result, once the goal has ended. Its state may come before its result: they are two topics."""
+        wait_until(lambda: self.client.get_state() in ENDS and self.client.get_result() is not None, "the goal ends")
         return self.client.get_state(), self.client.get_result()
 
     def play_to_the_end(self, most=2000):
