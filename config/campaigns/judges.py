@@ -24,3 +24,11 @@ def lost_weight(played):
     """Of the weight that the surface shows, the share that does not come down to the bit."""
     surface, bit = played.readings("surface_wob").mean(), played.bit("wob").mean()
     return float(1.0 - bit / surface) if surface > 1e3 else None
+
+
+FRACTURE = 1350.0  # mud weight that opens the rock at the bit [kg/m3]
+
+
+def margin_to_fracture(played):
+    """What is left between the largest ECD and the mud weight that opens the rock [kg/m3]; below 0 mud is lost."""
+    return float(FRACTURE - played.truth("ecd").max())
