@@ -204,4 +204,28 @@ TEST(SectionLosses, gelHoldsBeyondTheYieldStress)
   EXPECT_GT(most, 1e6);
   EXPECT_NEAR(rig.state.stand_pipe_pressure, without.state.stand_pipe_pressure, 0.02 * without.state.stand_pipe_pressure);
 }
+
+// What the pump does, p Q, is lost in lines, bore, bit and annulus or stands as compressed mud, C p^2/2, while it starts, runs and
+// stops.
+TEST(SectionLosses, thePumpsWorkIsLossesAndCompressedMud)
+{
+  constexpr double step = 1e-3;
+  Rig rig(yielding);
+  rig.pump.flow_ramp = 3e-3;
+  double work = 0.0, lost = 0.0, most_stored = 0.0;
+  for (const double commanded : {0.03, 0.045, 0.0})
+    for (int k = 0; k < 60000; ++k)
+    {
+      rig.run(step, commanded, step);
+      const HydraulicState& s = rig.state;
+      work += s.stand_pipe_pressure * s.pump_flow * step;
+      lost += rig.flow * rig.circuit.law.inner(rig.flow).loss * step;
+      lost += s.return_flow * rig.circuit.law.outer(s.return_flow, 0.0).loss * step;
+      const double p = s.stand_pipe_pressure, a = s.annulus_pressure;
+      const double stored = 0.5 * (rig.circuit.bore.capacity * p * p + rig.circuit.annulus.capacity * a * a);
+      most_stored = std::max(most_stored, stored);
+      ASSERT_NEAR(work, lost + stored, 2e-4 * work + 10.0) << commanded << ' ' << k;
+    }
+  EXPECT_GT(most_stored, 5e5);  // [J], much more than the bound
+}
 }  // namespace test_hydraulics_section_losses
