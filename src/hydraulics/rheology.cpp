@@ -141,7 +141,7 @@ std::string readings_problem(RheologyLaw law, const std::vector<ViscometerReadin
             [](const ViscometerReading& a, const ViscometerReading& b) { return a.speed < b.speed; });
   for (std::size_t i = 1; i < sorted.size(); ++i)
   {
-    const std::string problem = pair_problem(law, sorted[i - 1], sorted[i]);
+    std::string problem = pair_problem(law, sorted[i - 1], sorted[i]);
     if (!problem.empty()) return problem;
   }
   const Rheology curve = fitted(law, readings);
