@@ -129,6 +129,7 @@ TEST(SlidingWallContact, HasALeverApartFromTheRadius)
   const WallForce both = sliding_wall_contact(closest, 0.08, start, {0.3, 7.0}, law, tangent);
   EXPECT_NEAR(both.force.dot(hole.tangent), -hole.friction * both.normal_force * 0.3 / std::hypot(0.3, 0.28),
               1e-9 * both.normal_force);
+  EXPECT_NEAR(both.friction_power, -hole.friction * both.normal_force * std::hypot(0.3, 0.28), 1e-9 * both.normal_force);
   const auto force = [&](const Vector6d& u)
   {
     const Vector3d p = start + u.head<3>();
