@@ -21,6 +21,7 @@ DRILLS = 110.0  # it has done so for a minute
 SURVEY = 40.0   # the MWD's period and latency, and more
 SETTLED = 8.0   # until the console no longer says that it was faster [wall s]
 SPEED = 20.0    # where nothing is looked at [simulated s per s]
+SLOWER = 4.0    # until the zero is set
 README_PICTURE = os.path.join(PACKAGE_DIR, "test", "accuracy", "pictures", "rviz.png")
 
 
@@ -52,10 +53,11 @@ def is_bar(r, g, b):
 class Rviz(unittest.TestCase):
     def setUp(self):
         rig = Rig()
-        rig.must(rig.set_speed(SPEED))
+        rig.must(rig.set_speed(SLOWER))  # on a loaded machine the look at the time comes seconds late
         self.wait_for_time(rig, TARED)
         if self.truth(rig).tared == 0:
             rig.must(rig.tare())
+        rig.must(rig.set_speed(SPEED))
         self.wait_for_time(rig, DRILLS)
         rig.must(rig.set_speed(1.0))
 
