@@ -25,7 +25,8 @@ std::string CommandSenders::trouble(const ros::SteadyTime& now) const
     for (const auto& [node, heard] : nodes)
     {
       if ((now - heard).toSec() > recent) continue;
-      names += (count == 0 ? "" : ", ") + node;
+      if (count > 0) names += ", ";
+      names += node;
       ++count;
     }
     if (count > 1) text += (text.empty() ? "" : "; ") + std::to_string(count) + " nodes publish " + topic + ": " + names;

@@ -55,7 +55,7 @@ std::string prefix_of(const rosbag::Bag& bag, const std::string& asked)
 template <class Message>
 boost::shared_ptr<Message> read(const rosbag::MessageInstance& instance)
 {
-  const boost::shared_ptr<Message> message = instance.instantiate<Message>();
+  boost::shared_ptr<Message> message = instance.instantiate<Message>();
   if (!message)
     throw std::runtime_error("was recorded by another version: " + instance.getDataType() + " of " + instance.getTopic() +
                              " has other fields; convert a bag of 0.2 with rosrun drill_rig_sim migrate_bag OLD.bag NEW.bag");

@@ -99,6 +99,27 @@ TEST_P(LocateIn, WrongHintsAreHarmless)
   }
 }
 
+// The same of a measured depth.
+TEST_P(LocateIn, WrongHintsOfADepthAreHarmless)
+{
+  const Wellbore hole = drilled_on(GetParam(), 0.35);
+  std::mt19937 random(17);
+  std::uniform_real_distribution<double> depth(-20.0, hole.hole_depth() + 1.0);
+  for (int i = 0; i < 3000; ++i)
+  {
+    const double md = depth(random);
+    const int wrong = static_cast<int>(random() % static_cast<unsigned>(hole.node_count() + 5)) - 2;
+    int hint = wrong;
+    const WellNode node = hole.at(md, hint), plain = hole.at(md);
+    ASSERT_NEAR((node.position - plain.position).norm(), 0.0, 1e-9) << md;
+    ASSERT_EQ(hole.at(md, hint).position, node.position) << md;
+    const HoleWall wall = hole.wall_at(md, wrong);
+    ASSERT_NEAR(wall.radius, plain.radius, 1e-9) << md;
+    ASSERT_NEAR(wall.friction, plain.friction, 1e-9) << md;
+    ASSERT_NEAR(wall.section, plain.section, 1e-9) << md;
+  }
+}
+
 // Read off the chord of the point's segment: a ledge is a short piece of the hole, so it is found to a share of its length.
 TEST_P(LocateIn, RadiusNearAPointIsTheHoles)
 {

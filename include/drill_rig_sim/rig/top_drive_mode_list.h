@@ -17,6 +17,7 @@
 #define MODE(...)
 #endif
 
+// NOLINTBEGIN(bugprone-branch-clone): modes may have the same loop
 MODE(speed, speed, true, loop_of_speed, "speed", "keeps `speed`; at 0 the brake holds once the shaft stands")
 MODE(torque, torque, false, loop_of_speed, "torque", "gives `torque`, as long as the speed stays within the rig's")
 MODE(angle, angle, true, loop_of_angle, "angle",
@@ -36,4 +37,5 @@ MODE(oscillate, swing, false, loop_of_angle, "oscillate",
 MODE(droop, speed, false, loop_of_droop, "droop",
      "keeps `speed` less torque / `proportional_gain`: the loop without its integral, so that the drive slows down under load")
 
+// NOLINTEND(bugprone-branch-clone)
 #undef MODE

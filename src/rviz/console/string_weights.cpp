@@ -56,9 +56,10 @@ std::optional<StringWeight> StringWeights::take(const MoveReading& now)
   if (move_ && (motion != move_->motion || !goes_on(*move_, now))) ended = end();
   if (!move_ && motion && !std::isnan(now.hook_load))
   {
-    move_.emplace();
-    move_->motion = *motion;
-    move_->first = now;
+    Move begun;
+    begun.motion = *motion;
+    begun.first = now;
+    move_ = begun;
   }
   if (move_)
   {
