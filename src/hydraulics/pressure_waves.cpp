@@ -172,15 +172,10 @@ private:
       const Value lines = circuit_.law.lines.at(q);
       return Value{p.loss + lines.loss, p.slope + lines.slope};
     };
-    const auto flow_at = [&](double wanted)
+    const auto below_held = [&](double q)
     {
-      return signed_root(
-          [&](double q)
-          {
-            const Value p = pressure(q);
-            return Value{wanted - p.loss, -p.slope};
-          },
-          inflow, smallest_);
+      const Value p = pressure(q);
+      return Value{s_.pump_pressure - p.loss, -p.slope};
     };
     double flow = inflow;
     if (waves_.spec.dampener_volume > 0.0) flow = flow_with_dampener(inflow, pressure);
@@ -189,7 +184,7 @@ private:
     if (s_.relief_open || s_.pump_pressure < 0.0)
     {
       s_.pump_pressure = s_.relief_open ? pump_.relief_pressure : 0.0;
-      flow = flow_at(s_.pump_pressure);
+      flow = signed_root(below_held, inflow, smallest_);
     }
     s_.gas = gas_at(s_.pump_pressure);
     s_.bore_with[0] = against + 2.0 * impedance * flow;
@@ -224,7 +219,7 @@ private:
   }
 
   /// The flow through the bit against a pressure behind it, none backwards.
-  /// @param driving  wave that arrives, less what is held and less the pressure behind the bit without flow [Pa]
+  /// @param driving  wave that arrives, less what a plug holds [Pa]
   template <class Behind>
   double flow_through_bit(double driving, const Behind& behind) const noexcept
   {
@@ -266,25 +261,27 @@ private:
   /// Returns the flow through the bit.
   double pass_bit(double at_bit) noexcept
   {
-    const std::size_t last = waves_.bore.cells();
-    const double bore = waves_.bore.impedance[last - 1], annulus = waves_.annulus.impedance[0];
+    const double bore = waves_.bore.impedance.back(), annulus = waves_.annulus.impedance[0];
     const double against = s_.annulus_against[0], displaced = displaced_by(0);
-    const MudWays& ways = loads_.ways;
     const auto in_annulus = [&](double q)
     {
       Value p = annulus_loss(0, q);
-      p.loss += against + annulus * (q + displaced) + ways.load;
+      p.loss += against + annulus * (q + displaced) + loads_.ways.load;
       p.slope += annulus;
       return p;
     };
-    const double held = mud_.bore_gel * waves_.bore.nodes[last].gel + ways.plug;
-    double flow = flow_through_bit(at_bit - held, in_annulus);
-    // swab: the bit's nozzles let no more through than the pump sends
-    if (in_annulus(flow).loss < 0.0) flow = flow_through_bit(at_bit - held, [](double) { return Value(); });
+    // its own motion draws nothing from the string (hydraulics.h): not that part of a pressure below 0
+    const double swab = loads_.displaced < 0.0 ? loads_.ways.narrowing * circuit_.law.outer(0.0, loads_.displaced).loss : 0.0;
+    const auto behind_bit = [&](double q)
+    {
+      const Value p = in_annulus(q);
+      return p.loss >= 0.0 ? p : p.loss < swab ? Value{p.loss - swab, p.slope} : Value();
+    };
+    const double flow = flow_through_bit(at_bit - loads_.ways.plug, behind_bit);
     const double behind = in_annulus(flow).loss;
-    s_.bit_pressure = std::clamp(at_bit, behind, behind + ways.plug);
+    s_.bit_pressure = std::clamp(at_bit, behind, behind + loads_.ways.plug);
     s_.bit_flow = flow;
-    s_.bore_against[last - 1] = at_bit - 2.0 * bore * flow;
+    s_.bore_against.back() = at_bit - 2.0 * bore * flow;
     s_.annulus_with[0] = against + 2.0 * annulus * (flow + displaced);
     return flow;
   }

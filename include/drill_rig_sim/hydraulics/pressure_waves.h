@@ -31,6 +31,8 @@
 ///   to the string's flow, isothermal: V = V_0 p_0/p above its precharge p_0, pressures absolute, V_0 below. Relief valve as in
 ///   hydraulics.h. The pump's valves let mud in from the tanks where the pressure would fall below 0.
 /// - Bit: nozzles, motor, float, cuttings and plug as in hydraulics.h. A pulser of the MWD loses P (Q/Q_n)^2 more while closed.
+///   Where a wave takes the annulus's pressure below 0 it draws mud through the nozzles. A string that is pulled does not: of a
+///   pressure below 0 the steady swab does not count (hydraulics.h).
 /// - Flow line: p = 0.
 /// String that moves at v: along each section it displaces A_o v, all at one speed, and clings as in section_losses.h. So surge
 /// and swab have the mud's inertia, rho a A_o v/A at first.
