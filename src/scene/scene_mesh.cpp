@@ -168,8 +168,9 @@ double torque_of_bends(const Scene& scene, double depth) noexcept
   if (survey.size() < 2) return 0.0;
   double torque = 0.0, tension = 0.0;
   std::size_t below = survey.size() - 1;  // the station below the piece
-  for (double md = depth; md > 0.0; md -= piece)
+  for (int i = 0; i < std::ceil(depth / piece); ++i)
   {
+    const double md = depth - i * piece;
     const double middle = std::max(0.0, md - 0.5 * piece);
     const PartSpec& part = part_at(scene.string, depth - middle);
     tension += standard_gravity * part.linear_mass * (1.0 - scene.mud.density / part.density) * piece;

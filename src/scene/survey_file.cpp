@@ -32,7 +32,7 @@ SurveyTable read_survey_file(const std::string& file, const SurveyFormat& format
   problems.raise();
   const std::string sharp = sharp_turn(table.stations);
   if (!sharp.empty()) table.remarks.push_back(sharp);
-  for (std::string& remark : table.remarks) remark = one_line(file) + ": " + remark;
+  for (std::string& remark : table.remarks) remark.insert(0, one_line(file) + ": ");
   if (!whole.remark.empty()) table.remarks.insert(table.remarks.begin(), whole.remark);
   return table;
 }

@@ -173,6 +173,7 @@ template <class Row>
 std::string rows_of(const char* key, const std::vector<Row>& list, double Row::*first, double Row::*second)
 {
   std::vector<std::string> rows;
+  rows.reserve(list.size());
   for (const Row& row : list) rows.push_back("[" + joined({written(row.*first), written(row.*second)}) + "]");
   return rows.empty() ? "" : entry(key, "[" + joined(rows) + "]");
 }

@@ -35,7 +35,8 @@ double last_length(const std::vector<SurveyStation>& survey)
 // the direction of the last interval's arc, `length` beyond its end
 Vector3d direction_beyond(const std::vector<SurveyStation>& survey, double length)
 {
-  const Vector3d before = tangent_of(survey[survey.size() - 2]), last = tangent_of(survey.back());
+  const Vector3d before = tangent_of(survey[survey.size() - 2]);
+  Vector3d last = tangent_of(survey.back());
   const double dogleg = last_dogleg(survey);
   if (dogleg < 1e-9) return last;
   const double turn = dogleg * length / last_length(survey);

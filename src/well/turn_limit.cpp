@@ -45,8 +45,8 @@ Vector3d outward_part(const Vector3d& from, double half_angle, const Vector3d& b
 Vector3d limited_way(const Wellbore& well, const TurnLimit& limit, const Vector3d& way) noexcept
 {
   if (limit.angle() >= widest) return way;
-  const Vector3d now = well.end_direction(), above = direction_above(well, limit.length),
-                 before = well.node(well.node_count() - 1).tangent;
+  const Vector3d& now = well.end_direction();
+  const Vector3d above = direction_above(well, limit.length), before = well.node(well.node_count() - 1).tangent;
   Vector3d allowed = way;
   for (const Vector3d& from : {above, before}) allowed -= outward_part(from, opening(limit, from, before), before, now, allowed);
   return allowed;

@@ -205,8 +205,8 @@ TEST(SectionLosses, gelHoldsBeyondTheYieldStress)
   EXPECT_NEAR(rig.state.stand_pipe_pressure, without.state.stand_pipe_pressure, 0.02 * without.state.stand_pipe_pressure);
 }
 
-// What the pump does, p Q, is lost in lines, bore, bit and annulus or stands as compressed mud, C p^2/2, while it starts, runs and
-// stops.
+// What the pump does, p Q, is lost in lines, bore, bit and annulus or stands as compressed mud, C p^2/2, while it starts, runs
+// and stops.
 TEST(SectionLosses, thePumpsWorkIsLossesAndCompressedMud)
 {
   constexpr double step = 1e-3;
