@@ -11,6 +11,7 @@
 
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/well/well_checks.h"
+#include "survey_body.h"
 #include "survey_digits.h"
 #include "survey_header.h"
 #include "survey_split.h"
@@ -21,18 +22,7 @@ namespace
 {
 constexpr int most_lines_above_header = 50;
 constexpr std::size_t most_lines_of_header = 3;
-struct Delimiter
-{
-  char character;
-  const char* name;
-};
-constexpr std::array<Delimiter, 5> delimiters = {{{',', ","}, {';', ";"}, {'\t', "tab"}, {'|', "bar"}, {' ', "space"}}};
-
-struct Line
-{
-  int number;
-  std::string text;
-};
+constexpr std::array<CsvDelimiter, 5> delimiters = {{{',', ","}, {';', ";"}, {'\t', "tab"}, {'|', "bar"}, {' ', "space"}}};
 
 // a column that numbers the stations may be called #
 bool is_comment(const std::string& text)
@@ -42,31 +32,24 @@ bool is_comment(const std::string& text)
 }
 
 // Lines that are neither empty nor comments; they end in LF, CR LF or CR.
-std::vector<Line> lines_of(const std::string& text)
+std::vector<CsvLine> lines_of(const std::string& text)
 {
   const char end = text.find('\n') == std::string::npos ? '\r' : '\n';
-  std::vector<Line> lines;
+  std::vector<CsvLine> lines;
   std::size_t begin = 0;
   for (int number = 1; begin < text.size() && lines.size() <= most_stations + most_lines_above_header; ++number)
   {
     const std::size_t last = std::min(text.find(end, begin), text.size());
-    const std::string line = text.substr(begin, last - begin);
+    std::string line = text.substr(begin, last - begin);
+    std::replace(line.begin(), line.end(), '\f', ' ');  // begins a page
     if (line.find_first_not_of(" \t\r\",;") != std::string::npos && !is_comment(trimmed(line))) lines.push_back({number, line});
     begin = last + 1;
   }
   return lines;
 }
 
-struct CsvTable
-{
-  std::size_t first_row = 0;  // of the lines
-  int line = 0;               // of the header
-  Delimiter delimiter{',', ","};
-  SurveyHeader header;
-};
-
 // of columns that blanks align, by the first row of data below them
-Cells joined_by_place(const std::vector<Line>& lines, std::size_t first, std::size_t count)
+Cells joined_by_place(const std::vector<CsvLine>& lines, std::size_t first, std::size_t count)
 {
   Cells texts;
   for (std::size_t i = first; i < first + count; ++i) texts.push_back(lines[i].text);
@@ -80,7 +63,7 @@ Cells joined_by_place(const std::vector<Line>& lines, std::size_t first, std::si
 }
 
 // the cells of lines one below the other, as one header
-Cells joined(const std::vector<Line>& lines, std::size_t first, std::size_t count, char delimiter)
+Cells joined(const std::vector<CsvLine>& lines, std::size_t first, std::size_t count, char delimiter)
 {
   if (delimiter == ' ') return joined_by_place(lines, first, count);
   Cells names;
@@ -94,17 +77,17 @@ Cells joined(const std::vector<Line>& lines, std::size_t first, std::size_t coun
 }
 
 // The header where its names go over two or three lines; one that names no column where there is none.
-CsvTable find_header_over_lines(const std::vector<Line>& lines, const SurveyFormat& format)
+CsvTable find_header_over_lines(const std::vector<CsvLine>& lines, const SurveyFormat& format)
 {
   for (std::size_t count = 2; count <= most_lines_of_header; ++count)
   {
     for (std::size_t i = 0; i + count <= lines.size() && i < most_lines_above_header; ++i)
     {
-      for (const Delimiter& delimiter : delimiters)
+      for (const CsvDelimiter& delimiter : delimiters)
       {
         if (!format.delimiter.empty() && format.delimiter != delimiter.name) continue;
         SurveyHeader header = find_columns(joined(lines, i, count, delimiter.character), format);
-        if (header.found == needed_quantities) return {i + count, lines[i].number, delimiter, std::move(header)};
+        if (header.found == needed_quantities) return {i, count, i + count, lines[i].number, delimiter, std::move(header)};
       }
     }
   }
@@ -112,7 +95,7 @@ CsvTable find_header_over_lines(const std::vector<Line>& lines, const SurveyForm
 }
 
 // A line that calls a column only Depth, with the line above it where that says which depth: Measured, True Vertical.
-CsvTable with_line_above(CsvTable table, const std::vector<Line>& lines, const SurveyFormat& format)
+CsvTable with_line_above(CsvTable table, const std::vector<CsvLine>& lines, const SurveyFormat& format)
 {
   const std::size_t place = *table.header.place[survey_md];
   if (!table.header.cells[place].weak || table.first_row < 2 || !format.md.column.empty()) return table;
@@ -125,18 +108,18 @@ CsvTable with_line_above(CsvTable table, const std::vector<Line>& lines, const S
 
 // The header in the first lines: the first that names all columns, else lines that do so together, else the one that names most
 // of them.
-CsvTable find_header(const std::vector<Line>& lines, const SurveyFormat& format)
+CsvTable find_header(const std::vector<CsvLine>& lines, const SurveyFormat& format)
 {
   CsvTable best;
   for (std::size_t i = 0; i < lines.size() && i < most_lines_above_header; ++i)
   {
-    for (const Delimiter& delimiter : delimiters)
+    for (const CsvDelimiter& delimiter : delimiters)
     {
       if (!format.delimiter.empty() && format.delimiter != delimiter.name) continue;
       SurveyHeader header = find_columns(split(lines[i].text, delimiter.character), format);
       const bool first = best.line == 0;
       if (!first && header.found <= best.header.found) continue;
-      best = {i + 1, lines[i].number, delimiter, std::move(header)};
+      best = {i, 1, i + 1, lines[i].number, delimiter, std::move(header)};
       if (best.header.found == needed_quantities)
         return best.header.place[survey_md] ? with_line_above(std::move(best), lines, format) : best;
     }
@@ -203,6 +186,19 @@ bool may_be_thousands(const std::string& cell)
          cell.find('.') == std::string::npos;
 }
 
+// whether cells in quotes between commas have decimal commas
+bool has_quoted_commas(const SurveyRows& survey)
+{
+  bool comma = false;
+  for (const SurveyRow& row : survey.rows)
+    for (std::size_t i = 0; i < needed_quantities; ++i)
+    {
+      if (row.cells[i].find('.') != std::string::npos) return false;
+      comma = comma || row.cells[i].find(',') != std::string::npos;
+    }
+  return comma;
+}
+
 // A file has decimal points or decimal commas: beside these, 1.000 may be a thousand.
 void check_points(const SurveyRows& survey, Problems& problems)
 {
@@ -239,41 +235,11 @@ void check_commas(const SurveyRows& survey, Problems& problems)
                         "), needed: decimal points and no thousands separators");
 }
 
-// A row of more cells than its header has decimal commas; delimiters alone at its end do no harm.
-bool has_more_cells(const Cells& cells, std::size_t header)
-{
-  return cells.size() > header && std::any_of(cells.begin() + static_cast<std::ptrdiff_t>(header), cells.end(),
-                                              [](const std::string& cell) { return !cell.empty(); });
-}
-
-bool take_row(const Line& line, const CsvTable& table, SurveyRows& survey, Problems& problems)
-{
-  const Cells cells = split(line.text, table.delimiter.character);
-  const std::size_t columns = table.header.cells.size();
-  if (has_more_cells(cells, columns) || (table.delimiter.character == ' ' && cells.size() != columns))
-  {
-    const char* hint = table.delimiter.character == ',' ? ", with decimal points" : "";
-    problems.add_at(line.number, "",
-                    "has " + std::to_string(cells.size()) + " cells, the header " + std::to_string(columns) +
-                        ", allowed: the same number" + hint);
-    return false;
-  }
-  SurveyRow row;
-  row.line = line.number;
-  for (std::size_t i = 0; i < survey_quantities; ++i)
-  {
-    const auto place = table.header.place[i];
-    if (place && *place < cells.size()) row.cells[i] = cells[*place];
-  }
-  survey.rows.push_back(std::move(row));
-  return true;
-}
-
 // The line of units below the header, where there is one; false if it has one that is not known.
-bool take_unit_line(const std::vector<Line>& lines, CsvTable& table, Problems& problems)
+bool take_unit_line(const std::vector<CsvLine>& lines, CsvTable& table, Problems& problems)
 {
   if (table.first_row >= lines.size()) return true;
-  const Line& line = lines[table.first_row];
+  const CsvLine& line = lines[table.first_row];
   const Cells cells = split(line.text, table.delimiter.character);
   if (take_units(cells, table.header))
   {
@@ -314,18 +280,12 @@ void add_remarks(const CsvTable& table, const std::string& text, SurveyRows& sur
   if (!angles.empty())
     survey.remarks.push_back(angles + (one ? " has no unit and is" : " have no unit and are") + " read as degrees");
 }
-
-void take_rows(const std::vector<Line>& lines, const CsvTable& table, SurveyRows& survey, Problems& problems)
-{
-  for (std::size_t i = table.first_row; i < lines.size() && survey.rows.size() <= most_stations; ++i)
-    if (!take_row(lines[i], table, survey, problems)) return;
-}
 }  // namespace
 
 SurveyRows read_survey_csv(const std::string& text, const SurveyFormat& format, Problems& problems)
 {
   SurveyRows survey;
-  const std::vector<Line> lines = lines_of(text);
+  const std::vector<CsvLine> lines = lines_of(text);
   if (lines.empty())
   {
     problems.add_at(0, "", std::string("is empty, needed: ") + needed_survey);
@@ -346,6 +306,7 @@ SurveyRows read_survey_csv(const std::string& text, const SurveyFormat& format, 
   if (!no_unit.empty()) problems.add_at(table.line, survey.names[survey_md], no_unit);
   if (problems.empty()) take_rows(lines, table, survey, problems);
   if (!problems.empty()) return survey;
+  survey.decimal_commas = survey.decimal_commas || has_quoted_commas(survey);
   take_groups(table.delimiter.character, survey, problems);
   if (survey.decimal_commas && problems.empty()) check_points(survey, problems);
   if (survey.decimal_commas && problems.empty()) check_commas(survey, problems);

@@ -128,4 +128,17 @@ Cells names_by_place(const std::vector<std::string>& lines, const std::string& r
   return names;
 }
 
+std::optional<std::size_t> place_left_out(const std::string& line, const std::string& other)
+{
+  if ((line + other).find('\t') != std::string::npos) return std::nullopt;
+  const std::vector<Placed> cells = placed_texts(line, 1), others = placed_texts(other, 1);
+  if (cells.size() != others.size()) return std::nullopt;
+  std::size_t i = 0;
+  while (i < cells.size() && distance(cells[i], others[i]) <= 0) ++i;
+  if (i == 0 || i + 1 >= cells.size()) return std::nullopt;
+  const auto left_out = [i](const std::vector<Placed>& a, const std::vector<Placed>& b)
+  { return b[i].begin > a[i - 1].end + 1 && b[i].end < a[i].begin - 1 && distance(a[i], b[i + 1]) <= 0; };
+  return left_out(cells, others) || left_out(others, cells) ? std::optional<std::size_t>(i) : std::nullopt;
+}
+
 }  // namespace drill_rig_sim

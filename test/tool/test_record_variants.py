@@ -69,6 +69,10 @@ READ = {
     "header over two lines of a cell": table(header=('"Time\n(s)"', '"Hook Load\n(klbs)"', '"Block Height\n(ft)"')),
     "digits in groups by blanks": table(";", POUNDS, load=1e3).replace("000;", " 000;").replace("2500;", "2 500;"),
     "decimal commas": table(";", number="%.3f").replace(".", ","),
+    "decimal commas in quotes between commas": ",".join(NAMES) + "".join('\n%d,"%s","%s"' % (t, ("%.1f" % h).replace(".", ","), ("%.1f" % b).replace(".", ",")) for t, h, b in ROWS) + "\n",
+    "texts between the rows and after them": "\n".join([*table().splitlines()[:3], "", "Page 1 of 2", "\f", *table().splitlines()[:1], *table().splitlines()[3:], "", "End of file"]) + "\n",
+    "German, date and time": table(header=("Datum,Uhrzeit", *DATED[1:]), times=dates("%d.%m.%Y,%H:%M:%S")),
+    "the same well in all rows": table(header=("Well,Time (s)", *NAMES[1:]), times=["%s,%d" % (well, row[0]) for well, row in zip(("A", "a", "", "A"), ROWS)]),
     "decimal commas, tabs": table("\t", number="%.1f").replace(".", ","),
     "decimal commas and points in groups": ";".join(POUNDS) + "".join("\n%d;%s,0;%s" % (t, "%.3f" % h, ("%.1f" % b).replace(".", ",")) for t, h, b in ROWS),
     "date, day first": table(header=DATED, times=dates("%d.%m.%Y %H:%M:%S")),
@@ -138,7 +142,13 @@ REFUSED = {
     "seconds since 1970": (table(header=DATED, times=["%d" % (1716285590 + row[0]) for row in ROWS]), "is not a date (first: 1716285590, as s since 1970); needed: a map"),
     "two units": (table().replace("(ft)\n", "(ft)\ns,kN,ft\n"), "r.csv:2: the unit of Hook Load (klbs) is kN here"),
     "13 PM": (table(header=DATED, times=["2024-05-01 13:00:%02d PM" % row[0] for row in ROWS]), "13:00:00 PM is not a date"),
-    "footer": (table() + "End of file\n", "r.csv:6: has 1 cells, the header 3"),
+    "a row cut off": (table() + "20,204\n", "r.csv:6: has 2 cells, the header 3"),
+    "two wells": (table(header=("Well,Time (s)", *NAMES[1:]), times=["%s,%d" % (well, row[0]) for well, row in zip("AaAB", ROWS)]), "r.csv:5: Well is B, in the rows above A; needed: one well in a file"),
+    "an empty cell of aligned columns": ("TIME(s)  HKLD(klbf)  BPOS(ft)  RPM   NOTE\n0        200.0       30.0      60.0  ok\n5        201.0                 60.0  two words\n",
+                                         "r.csv:3: the cells do not stand below those of line 2 from BPOS(ft) on: a cell is empty in one of these lines"),
+    "the same in the row before": ("TIME(s)  HKLD(klbf)  BPOS(ft)  RPM   NOTE\n0                    30.0      60.0  not ok\n5        201.0       29.5      60.0  ok\n",
+                                   "r.csv:3: the cells do not stand below those of line 2 from HKLD(klbf) on"),
+    "whole numbers in quotes": (table().replace("201,29.5", '"201,000",29').replace(".5", ""), "201,000 may be a whole number or one with a decimal comma"),
 }
 
 

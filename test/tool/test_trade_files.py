@@ -125,6 +125,19 @@ class Files(Folder):
                         numpy.testing.assert_allclose(record.signals[signal], value, rtol=1e-6)
                 self.assertEqual("Pason" in what, {"torque", "flow", "bit_depth"} <= set(record.signals) and "Rotary" in text)
 
+    def test_what_is_reported(self):
+        """RPM is its own unit; a flow that does not say which is that into the well; texts between the rows and after them."""
+        header = "Time (s),Hook Load (klbf),Block Height (ft),Surface RPM,Flow (L/min)\n"
+        lines = rows("%(t)s,%(h)s,%(b)s,60,1200").splitlines(True)
+        record = self.read(header + "".join(lines[:3]) + "\nPage 1 of 2\n\f\n" + header + "".join(lines[3:]) + "\nEnd of file\n")
+        self.assertEqual(list(SECONDS), list(record.time))
+        numpy.testing.assert_allclose(record.signals["hook_load"], [KLBF * load for load in LOADS])
+        numpy.testing.assert_allclose(record.signals["top_drive_speed"], 2.0 * math.pi)
+        numpy.testing.assert_allclose(record.signals["flow"], 0.02)
+        for said in ("top_drive_speed: Surface RPM has no unit and is read as rpm", "Flow (L/min) is read as the flow into the well",
+                     "2 lines of text between the rows or after them are skipped (first: line 6)", "1 lines repeat the names of the columns"):
+            self.assertIn(said, "\n".join(record.remarks))
+
     def test_what_is_no_record(self):
         for what, (text, said) in NOT_RECORDS.items():
             with self.subTest(what):

@@ -116,7 +116,7 @@ TEST(SceneSurvey, WhatMayBeTwoThingsIsRefused)
         holds(refusal("MD (m),Inc (deg),Azi (deg)\n0,0,0\n\"" + std::string(cell) + "\",2,40\n"), "must be a finite number"))
         << cell;
   EXPECT_TRUE(holds(refusal("MD (ft),Inc (deg),Azi (deg)\n0,0,0\n\"1,000\",2,40\n"),
-                    ":3: MD (ft): must be a finite number (got \"1,000\")"));
+                    ":3: MD (ft): the comma may be a decimal comma or a thousands separator"));
 }
 
 TEST(SceneSurvey, AMapNamesColumns)

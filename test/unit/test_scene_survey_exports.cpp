@@ -42,6 +42,9 @@ TEST(SceneSurvey, ExportsOfTheTrade)
        "sep=;\r\n\"MD [m]\";\"Incl [\xc2\xb0]\";\"Azi "
        "[\xc2\xb0]\"\r\n\"0,0\";\"0,0\";\"0,0\"\r\n\"1500,25\";\"10,5\";\"45,25\"\r\n;;\r\n",
        2, 1500.25, 10.5, 45.25},
+      {"decimal commas in quotes between commas", "MD (m),Inc (deg),Azi (deg)\n0,0,0\n\"1500,25\",\"10,5\",45\n", 2, 1500.25,
+       10.5, 45.0},
+      {"one well", "Well Name,MD (m),Inc (deg),Azi (deg)\nA-1,0,0,0\na-1,500,10,45\n", 2, 500.0, 10.0, 45.0},
       {"tabs, empty columns at the end", "MD (m)\tInc (deg)\tAzi (deg)\t\t\n0\t0\t0\t\t\n500\t10\t45\t\t\n", 2, 500.0, 10.0,
        45.0},
       {"names of well logs", "DEPT (M),DEVI (DEG),HAZI (DEG)\n0,0,0\n500,10,45\n", 2, 500.0, 10.0, 45.0},
@@ -98,6 +101,35 @@ TEST(SceneSurvey, NamesAboveAlignedColumns)
   EXPECT_TRUE(holds(refusal("Vertical\n" + rows), "md_m: no such column in the header; it has Vertical Depth, Inc, Azi"));
 }
 
+// The foot of a page, the head of the next one and a text at the end are skipped and reported, once.
+TEST(SceneSurvey, PagesAndFooters)
+{
+  const SurveyTable pages = read(
+      "Well A-1\nMD,Inc,Azi\n(m),(deg),(deg)\n0,0,0\n300,5,45\n\nPage 1 of 2\n\f\nWell A-1\nMD,Inc,Azi\n(m),(deg),(deg)\n"
+      "500,10,45\nMD,Inc,Azi\n600,10,45\n\nEnd of survey\nPrinted 2024-05-21 10:00\n");
+  ASSERT_EQ(4u, pages.stations.size());
+  expect_station(pages.stations[1], 300.0, 5.0, 45.0);
+  expect_station(pages.stations.back(), 600.0, 10.0, 45.0);
+  ASSERT_EQ(1u, pages.remarks.size());
+  EXPECT_TRUE(holds(pages.remarks[0], "7 lines without a station, text or the header again, skipped (first: line 7)"));
+  const SurveyTable report = read(
+      " Measured\n  Depth      Inclination  Azimuth\n   (ft)         (deg)      (deg)\n      0.0        0.0      0.0\n"
+      "   1000.0       10.0     45.0\n\n28/05/2024 10:12:33   Page 1   Build 74\n\f Measured\n  Depth      Inclination  Azimuth\n"
+      "   (ft)         (deg)      (deg)\n   2000.0       20.0     45.0\n\nDesign Annotations\n");
+  ASSERT_EQ(3u, report.stations.size());
+  EXPECT_NEAR(609.6, report.stations.back().md, 1e-9);
+  ASSERT_EQ(1u, report.remarks.size()) << report.remarks.front();
+}
+
+// Where columns are not aligned, a row may stand anywhere.
+TEST(SceneSurvey, RowsOfAnyWidth)
+{
+  const SurveyTable table =
+      read("MD(m)   INC(deg)   AZI(deg)   TVD(m)\n0   0   0   0\n100   0   0   100\n1000   1.25   0   999.9\n");
+  ASSERT_EQ(3u, table.stations.size());
+  expect_station(table.stations.back(), 1000.0, 1.25, 0.0);
+}
+
 TEST(SceneSurvey, ExportsThatAreRefused)
 {
   const std::vector<RefusedExport> exports = {
@@ -121,8 +153,33 @@ TEST(SceneSurvey, ExportsThatAreRefused)
       {"twice, and different", "MD (m),Inc (deg),Azi (deg)\n0,0,0\n500,10,45\n500,10.2,45\n",
        ":4: station 3: md 500 m is not deeper than"},
       {"above the table", "MD (m),Inc (deg),Azi (deg)\n0,0,0\n100,0,0\n400,90,45\n1500,170,45\n", "above the rotary table"},
-      {"a line below", "MD (m),Inc (deg),Azi (deg)\n0,0,0\n500,10,45\nEnd of survey\n",
+      {"a text between stations", "MD (m),Inc (deg),Azi (deg)\n0,0,0\nCasing,,\n500,10,45\n",
+       ":3: MD (m): must be a finite number (got text)"},
+      {"a letter in the last depth", "MD (m),Inc (deg),Azi (deg)\n0,0,0\n5OO,10,45\n",
+       ":3: MD (m): must be a finite number (got text)"},
+      {"no number in the last depth", "MD (m),Inc (deg),Azi (deg)\n0,0,0\nnan,10,45\n",
+       ":3: MD (m): must be a finite number (got \"nan\")"},
+      {"another table below", "MD (m),Inc (deg),Azi (deg)\n0,0,0\n500,10,45\n\nTarget,MD (m),Inc (deg)\nT1,400,3\n",
+       ":5: MD (m): must be a finite number (got text)"},
+      {"the header in another unit", "MD (m),Inc (deg),Azi (deg)\n0,0,0\n500,10,45\nMD (ft),Inc (deg),Azi (deg)\n2000,10,45\n",
        ":4: MD (m): must be a finite number (got text)"},
+      {"the units again, others", "MD,Inc,Azi\nm,deg,deg\n0,0,0\n500,10,45\nMD,Inc,Azi\nft,deg,deg\n2000,10,45\n",
+       ":6: MD: must be a finite number (got text)"},
+      {"two wells", "Well,MD (m),Inc (deg),Azi (deg)\nA,0,0,0\na,500,10,45\n,550,10,45\nB,600,10,45\n",
+       ":5: Well: is B, in the rows above A, needed: one well in a file"},
+      {"two wells by their numbers", "UWI;MD (m);Inc (deg);Azi (deg)\n100/1;0;0;0\n100/2;500;10;45\n", ":3: UWI: is 100/2"},
+      {"an empty cell of aligned columns",
+       "  MD(m)   INC(deg)  AZI(deg)  TVD(m)  REMARK\n"
+       "    0.0        0.0       5.0     0.0  Tie\n"
+       "   30.0        1.0              30.0  MWD ok\n",
+       ":3: its cells do not stand below those of line 2 from AZI(deg) on: a cell is empty in one of these lines"},
+      {"the same in the line before",
+       "MD(m)  INC(deg)  AZI(deg)  TVD(m)  REMARK\n"
+       "0.0    0.0                 0.0     Tie in\n"
+       "30.0   1.0       10.0      30.0    MWD\n",
+       ":3: its cells do not stand below those of line 2 from AZI(deg) on"},
+      {"thousands or decimal commas in quotes", "MD (m),Inc (deg),Azi (deg)\n0,0,0\n\"1,500\",10,45\n",
+       ":3: MD (m): the comma may be a decimal comma or a thousands separator"},
   };
   for (const RefusedExport& e : exports) EXPECT_TRUE(holds(refusal(e.text), e.said)) << e.what << ": " << refusal(e.text);
 }

@@ -12,7 +12,7 @@ from drill_rig_sim.field.units import DATE, is_unit
 
 ZONES = ("tz", "timezone", "utcoffset", "gmtoffset", "zone")  # columns of time zones
 # columns of their own, of dates and of times of the day
-DATES, TIMES_OF_DAY = ("date", "yyyymmdd", "ddmmyyyy", "mmddyyyy", "datum", "fecha"), ("time", "hhmmss", "timeofday", "clock", "zeit", "hora")
+DATES, TIMES_OF_DAY = ("date", "yyyymmdd", "ddmmyyyy", "mmddyyyy", "datum", "fecha"), ("time", "hhmmss", "timeofday", "clock", "zeit", "uhrzeit", "hora")
 DEPTHS, VERTICAL = ("bit_depth", "hole_depth"), {"tvd", "tvdss", "vert", "vertical"}  # `Hole Depth (TVD)`, `Depth Bit (vert)`
 EXTREMES = {"max", "min", "maximum", "minimum"}  # `Hookload (max)`
 MOST_SHOWN = 12  # names of columns in a line
@@ -112,6 +112,10 @@ def known_columns(table, remarks, mapped, taken):
             found[signal] = Column([table.names[(filled or with_unit)[0]]])
             passed = [table.names[place] for place in places if table.names[place] != found[signal].names[0]]
             remarks += ["%s is taken from %s; not used: %s" % (signal, found[signal].names[0], ", ".join(passed))] if passed else []
+            remarks += ["%s is read as the flow into the well" % found[signal].names[0]] if word(bare(found[signal].names[0])) == "flow" else []
+        elif "rpm" in re.findall("[a-z]+", table.names[places[0]].lower()):
+            found[signal] = Column([table.names[places[0]]], "rpm")
+            remarks.append("%s: %s has no unit and is read as rpm" % (signal, table.names[places[0]]))
         else:
             remarks.append("%s: %s is left out: it has no unit; needed: a map, --columns" % (signal, table.names[places[0]]))
     remarks += unknown_names(table, by_signal, mapped, taken)

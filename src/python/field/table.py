@@ -7,12 +7,14 @@ import typing
 import numpy
 from drill_rig_sim.field.cells import GROUPED, are_groups, first_decimal_comma, first_of_both_signs, first_of_groups, has_point, is_blank, is_number, with_point
 from drill_rig_sim.field.dates import without_zone
-from drill_rig_sim.field.heading import Wanted, are_places, heading_of, holds_data, is_line_of_units, name_in, names_in, split
+from drill_rig_sim.field.heading import BLANK, CELL, WIDE, Wanted, are_places, heading_of, holds_data, is_line_of_units, name_in, names_in, split
 from drill_rig_sim.field.signals import RANKS, SIGNALS, word
 from drill_rig_sim.field.units import is_unit, same_unit
 from drill_rig_sim.refusal import Refusal
 
 BRACKET = re.compile(r"(.*\S)\s*(?:\(([^()]*(?:\([^()]*\)[^()]*)*)\)|\[([^\[\]]*)\]|<([^<>]*)>|\{([^{}]*)\})$")
+WORD = re.compile(r"\S+")  # of a line
+WELLS = set("well wellname wellid wellbore wellborename wellboreid borehole boreholeid uwi api apino apinumber".split())
 SEPARATOR, MOST_PARTS = re.compile(r"\s*[,/_]\s*|\s+(?:-\s+)?"), 4  # before a unit without brackets, and so many of its own: `gal_per_min`
 
 
@@ -86,7 +88,7 @@ def read_delimited(file, text, layout=Layout(), wanted=Wanted()):
         raise RecordError("%s: is empty; needed: a line with the names of the columns, then rows" % file)
     rows = rows_of(file, lines, heading, len(heading.names))
     units, remarks, table, places = [unit_in(name) for name in names], heading.remarks, [], []
-    keep = set(wanted.places(names))
+    keep, check_well, before, texts = set(wanted.places(names)), OneWell(file, names).check, None, []
     again = Again(file, [names_in(one, heading.delimiter) for one in lines[heading.first:heading.last + 1]] + [heading.names], wanted)
     for line, cells in rows:
         if table and not holds_data(cells) and again.is_header(line, cells, units):
@@ -94,18 +96,58 @@ def read_delimited(file, text, layout=Layout(), wanted=Wanted()):
         if heading.known and not table and (are_places(cells) or not holds_data(cells) and not is_line_of_units(cells)):
             remarks.append("line %d is skipped: it holds neither units nor measurements" % line)
             continue
+        if table and len(cells) < len(names) and not holds_data(cells):
+            texts.append(line)
+            continue
         cells = fitted(cells, file, line, names)
         if not table and is_line_of_units(cells):
             units = [unit_of_both(file, line, *both) for both in zip(names, cells, units)]
             remarks.append("line %d was read as the units of the columns" % line)
         else:
+            check_well(line, cells)
+            if heading.delimiter in (BLANK, WIDE):
+                before = below(file, line, lines[line - 1], before, names)
             table.append([cell if place in keep else "" for place, cell in enumerate(cells)])
             places.append(str(line))
     remarks += again.remarks()
+    if texts:
+        remarks.append("%d lines of text between the rows or after them are skipped (first: line %d)" % (len(texts), texts[0]))
     decimal = layout.decimal or likely_decimal(file, table, places, heading.delimiter, remarks)
     found = Table(file, names, units, numbers_with_points(file, table, places, decimal), places, remarks=remarks)
     found.in_any_order = True
     return found
+
+
+class OneWell:
+    """Columns that name the well of a row: it must be the same in all."""
+
+    def __init__(self, file, names):
+        self.file, self.names, self.wells = file, names, {place: None for place, name in enumerate(names) if word(bare(name)) in WELLS}
+
+    def check(self, line, cells):
+        for place, well in self.wells.items():
+            cell = cells[place].strip()
+            if cell and well and cell.lower() != well.lower():
+                raise RecordError("%s:%d: %s is %s, in the rows above %s; needed: one well in a file" % (self.file, line, self.names[place], cell, well))
+            self.wells[place] = well or cell
+
+
+def below(file, line, text, before, names):
+    """(line, begin and end of its cells) of a row of aligned columns; None where tabs hide the places. RecordError where one of this row and the row `before` leaves a
+    cell empty: the cells before it overlap, in the gap after them the other row has its whole cell, and the next cell stands at the column after that."""
+    spans = next((found for found in ([match.span() for match in form.finditer(text)] for form in (WORD, CELL)) if len(found) == len(names)), None)
+    if spans is None or "\t" in text:
+        return None
+    if before:
+        k = next((k for k, both in enumerate(zip(spans, before[1])) if not overlap(*both)), 0)
+        if 0 < k < len(names) - 1 and any(a[k - 1][1] < b[k][0] and b[k][1] < a[k][0] and overlap(a[k], b[k + 1]) for a, b in ((spans, before[1]), (before[1], spans))):
+            raise RecordError("%s:%d: the cells do not stand below those of line %d from %s on: a cell is empty in one of these lines; needed: - in empty cells" %
+                              (file, line, before[0], names[k]))
+    return line, spans
+
+
+def overlap(one, other):
+    return max(one[0], other[0]) < min(one[1], other[1])
 
 
 class Again:
@@ -159,7 +201,7 @@ def likely_decimal(file, table, places, delimiter, remarks):
     if point:
         remarks.append("its numbers have commas between groups of digits (first: line %s: %s)" % (places[point[0]], point[1]))
         return "."
-    found = comma or (None if delimiter == "," else first_decimal_comma(table))
+    found = comma or first_decimal_comma(table)
     if found is None:
         return None
     if not comma and delimiter != ";" and are_groups(table):  # a semicolon is written where the comma is the decimal sign
