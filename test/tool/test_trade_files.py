@@ -138,6 +138,18 @@ class Files(Folder):
                      "2 lines of text between the rows or after them are skipped (first: line 6)", "1 lines repeat the names of the columns"):
             self.assertIn(said, "\n".join(record.remarks))
 
+    def test_what_no_rig_has(self):
+        """In range of the gauges, but as in another unit."""
+        header = "Time (s),Hook Load (%s),Block Height (%s),SPP (%s),Flow (gpm)\n"
+        lines = rows("%(t)s,%(h)s,%(b)s,2900,500")
+        for units, said in ((("lbf", "ft", "psi"), "hook_load: its largest value is 912 N, less than a block weighs; is its unit right?"),
+                            (("klbf", "m", "psi"), None), (("klbf", "ft", "Pa"), "stand_pipe_pressure: its largest value is 2.9e+03 Pa, while the pump runs"), (("klbf", "ft", "psi"), None)):
+            found = "\n".join(self.read(header % units + lines).remarks)
+            self.assertEqual(said is not None, "is its unit right" in found, found)
+            self.assertIn(said or "", found)
+        self.assertIn("block_height: its largest value is 66 m, higher than masts are", "\n".join(self.read(header % ("klbf", "m", "psi") + lines.replace(",65,", ",66,")).remarks))
+        self.refused('format: "%y-%m-%d %H:%M:%S" or "%d-%m-%y %H:%M:%S"', "Time,Hook Load (klbf),Block Height (ft)\n" + rows("%(t)s,%(h)s,%(b)s", "%d-%m-%y %H:%M:%S"))
+
     def test_what_is_no_record(self):
         for what, (text, said) in NOT_RECORDS.items():
             with self.subTest(what):

@@ -39,7 +39,7 @@ ELAPSED = re.compile(r"(?:(\d+)\s*(?:d|days?)[,\s]*)?(\d+):([0-5]?\d):([0-5]?\d(
 TWO_PARTS = re.compile(r"(\d+):([0-5]\d(?:[.,]\d+)?)$")
 OF_DAY = re.compile(CLOCK + r"\s*([AP]M)?$", re.IGNORECASE)
 TOUCHING = re.compile(r"%[a-zA-Z]%[a-zA-Z]")
-DAYS = ("%d/%m/%Y", "%m/%d/%Y", "%d-%m-%Y", "%m-%d-%Y", "%d/%m/%y", "%m/%d/%y", "%d.%m.%y", "%y.%m.%d", "%y/%m/%d", "%y-%m-%d", "%d-%b-%y", "%d %b %y", "%b %d %y", "%Y%m%d",
+DAYS = ("%d/%m/%Y", "%m/%d/%Y", "%d-%m-%Y", "%m-%d-%Y", "%d/%m/%y", "%m/%d/%y", "%d.%m.%y", "%y.%m.%d", "%y/%m/%d", "%y-%m-%d", "%d-%m-%y", "%m-%d-%y", "%d-%b-%y", "%d %b %y", "%b %d %y", "%Y%m%d",
         "%d%m%Y", "%y%m%d", "%d.%m.%Y", "%Y-%m-%d", "%Y/%m/%d", "%j/%Y", "%y-%j", "%Y\u5e74%m\u6708%d\u65e5")
 CLOCKS = ("%H:%M:%S", "%H:%M:%S.%f", "%I:%M:%S %p", "%H:%M", "%I:%M %p", "%I:%M:%S%p", "%H.%M.%S", "%H-%M-%S", "%Hh%Mm%Ss", "%H%M%S", "%H\u65f6%M\u5206%S\u79d2")
 GUESSED = [" ".join(both) for both in itertools.product(DAYS, CLOCKS)] + [clock + " " + day for clock, day in itertools.product(CLOCKS[:5], DAYS)]

@@ -9,7 +9,7 @@ from drill_rig_sim.field.dates import written
 from drill_rig_sim.field.files import begins_with, bytes_of, text_of
 from drill_rig_sim.field.las import read_las
 from drill_rig_sim.field.signal_reader import part_of
-from drill_rig_sim.field.signals import word
+from drill_rig_sim.field.signals import si_unit, word
 from drill_rig_sim.field.table import Layout, RecordError, read_delimited
 from drill_rig_sim.field.unit_change import unit_changes
 from drill_rig_sim.field.witsml import read_witsml
@@ -17,6 +17,8 @@ from drill_rig_sim.field.witsml import read_witsml
 MOST_DAYS = 400.0  # that a record may last
 COMPARED = ("hook_load", "torque", "stand_pipe_pressure")  # with what is simulated; the others are played
 BELOW_BOTTOM = 1.0  # from which on a bit below the hole's bottom is reported [m]
+LEAST_LOAD, HIGHEST_BLOCK = 5e3, 65.0  # of a rig [N], [m]; others are reported
+LEAST_PRESSURE, LEAST_FLOW = 2e4, 3e-3  # of a stand pipe while the pump runs [Pa], [m3/s]
 SPACINGS = (1e-3, 120.0)  # of a record's rows [s]; others are reported
 LONG_GAP, SHORTEST_GAP = 10.0, 5.0  # of rows' distance, and s, from which on a gap is reported
 
@@ -161,7 +163,7 @@ def remarks_of(record):
         lines.append("a gap of %.4g s from %.6g s on" % (longest, begin))
     lines += ["%s is %.4g times as large from %.6g s on, as if its unit changed from %s to %s; check its values before that time and after it" %
               (signal, ratio, record.time[row], before, after) for signal, row, ratio, before, after in unit_changes(record.time, record.signals)]
-    lines += below_bottom(record)
+    lines += below_bottom(record) + unlikely(record)
     return lines + ["has no %s: %s" % (signal, so) for signal, so in (
         ("flow", "the pump is assumed to be off"), ("top_drive_speed", "the string is assumed not to rotate"),
         ("bit_depth", "the string is assumed to move with the block at all times")) if signal not in record]
@@ -175,6 +177,17 @@ def below_bottom(record):
     rows = numpy.flatnonzero(below > BELOW_BOTTOM)
     return ["bit_depth is up to %.4g m below hole_depth (%d of %d rows, first at %.6g s); check the names of both columns" %
             (below.max(), len(rows), len(below), record.time[rows[0]])] if len(rows) else []
+
+
+def unlikely(record):
+    """Lines on signals whose values are in range and that no rig has, as of a number in another unit."""
+    def largest(signal):
+        values = record.signals.get(signal, numpy.zeros(0))
+        return numpy.nanmax(numpy.abs(values)) if numpy.isfinite(values).any() else numpy.nan
+    return ["%s: its largest value is %.3g %s, %s; is its unit right?" % (signal, largest(signal), si_unit(signal), why) for signal, so, why in (
+        ("hook_load", largest("hook_load") < LEAST_LOAD, "less than a block weighs"),
+        ("block_height", largest("block_height") > HIGHEST_BLOCK, "higher than masts are"),
+        ("stand_pipe_pressure", largest("stand_pipe_pressure") < LEAST_PRESSURE and largest("flow") > LEAST_FLOW, "while the pump runs")) if so]
 
 
 def bridged(time, good):
