@@ -254,13 +254,13 @@ bool take_unit_line(const std::vector<CsvLine>& lines, CsvTable& table, Problems
   return false;
 }
 
-// the north that lines above a header's name, comments included
-std::string north_above(const std::string& text, int header_line)
+// what `said` finds in the lines above a header, comments included
+std::string said_above(const std::string& text, int header_line, std::string (*said)(const std::string&))
 {
   std::istringstream lines(text);
-  std::string line, north;
-  for (int number = 1; number < header_line && north.empty() && std::getline(lines, line); ++number) north = north_of_line(line);
-  return north;
+  std::string line, found;
+  for (int number = 1; number < header_line && found.empty() && std::getline(lines, line); ++number) found = said(line);
+  return found;
 }
 
 // what the reader has to report of a header
@@ -270,7 +270,11 @@ void add_remarks(const CsvTable& table, const std::string& text, SurveyRows& sur
   const HeaderCell& depth = header.cells[*header.place[survey_md]];
   const HeaderCell& azimuth = header.cells[*header.place[survey_azimuth]];
   if (depth.weak) survey.remarks.push_back("\"" + shortened(depth.text) + "\" is read as measured depth");
-  const std::string north = azimuth.north.empty() ? north_above(text, table.line) : azimuth.north;
+  const std::string north = azimuth.north.empty() ? said_above(text, table.line, north_of_line) : azimuth.north;
+  const std::string datum = said_above(text, table.line, datum_of_line);
+  if (!datum.empty())
+    survey.remarks.push_back("measured depths count from " + datum +
+                             ", as the file says, and are not converted: they are taken from the rotary table");
   if (north == "grid" || north == "magnetic") survey.remarks.push_back(north_remark(north));
   std::string angles;
   for (const std::size_t i : {survey_inclination, survey_azimuth})

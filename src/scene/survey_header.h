@@ -54,6 +54,10 @@ std::optional<std::size_t> unknown_unit(const std::vector<std::string>& cells, c
 /// Else "".
 std::string north_of_line(const std::string& line);
 
+/// "mean sea level", "ground level" or "the seabed" where a line above the header says that measured depths count from there:
+/// "Depth Reference: MSL". Else "".
+std::string datum_of_line(const std::string& line);
+
 /// Why the columns' units cannot be told, in one line; empty if they can. Those of angles may be left to the values.
 std::string unit_problem(const SurveyHeader& header, std::size_t quantity);
 

@@ -21,7 +21,8 @@ const UnitName* unit_alone(std::size_t quantity, const std::string& cell)
                                                "msl",     "ahd", "md",  "tvd", "north", "n",   "azimuth"};
   std::string left;
   for (const std::string& word : name_words(text))
-    if (beside.count(word) == 0 && norths().count(word) == 0) left += word;
+    if ((quantity == survey_md && (word == "msl" || word == "tvd")) || (beside.count(word) == 0 && norths().count(word) == 0))
+      left += word;
   return left.empty() ? nullptr : unit_for(quantity, left);
 }
 
@@ -82,6 +83,22 @@ std::string north_of_line(const std::string& line)
     if (next != "convergence" && next != "declination" && next != "correction" && next != "field") return north->second;
   }
   return "";
+}
+
+std::string datum_of_line(const std::string& line)
+{
+  const Words words = name_words(line);
+  const auto says = [&](std::initializer_list<const char*> any)
+  {
+    return std::any_of(any.begin(), any.end(),
+                       [&](const char* word) { return std::find(words.begin(), words.end(), word) != words.end(); });
+  };
+  const bool of_depth = says({"md", "depth", "depths"}) && says({"reference", "ref", "datum"});
+  if (!of_depth || says({"tvd", "vertical", "permanent", "rkb", "kb", "brt", "rt", "rte", "df", "rotary", "kelly", "drill"}))
+    return "";
+  if (says({"msl", "sea"})) return "mean sea level";
+  if (says({"gl", "ground"})) return "ground level";
+  return says({"seabed", "mudline", "bml"}) ? "the seabed" : "";
 }
 
 }  // namespace drill_rig_sim

@@ -14,6 +14,7 @@ namespace
 constexpr double lightest_mud = 500.0;               // of a liquid [kg/m3]; lighter are gas and foam
 constexpr double ppg = 119.8264;                     // [kg/m3]
 constexpr double least_mass = 0.6, most_mass = 2.0;  // of a part, by the mass of its body: tool joints and blades add to it
+constexpr double steepest_slant = 50.0 * degree;     // slant rigs begin with up to 45 deg
 constexpr double sharpest = 30.0 * degree / 30.0;    // short-radius holes turn up to this [rad/m]
 
 template <class... Values>
@@ -72,6 +73,15 @@ std::string sharp_turn(const std::vector<SurveyStation>& survey)
                 a.md, b.md, turn * 30.0 / degree);
   }
   return text;
+}
+
+std::string flat_begin(const std::vector<SurveyStation>& survey)
+{
+  if (survey.empty() || survey.front().md > 0.0 || survey.front().inclination <= steepest_slant) return "";
+  return line(
+      "the hole begins with %g deg of inclination at the rotary table, rigs drill up to 45 deg; do the inclinations count "
+      "from the horizontal?",
+      survey.front().inclination / degree);
 }
 
 }  // namespace drill_rig_sim

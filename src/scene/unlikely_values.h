@@ -16,6 +16,10 @@ std::vector<std::string> unlikely_values(const Scene& scene, bool stations);
 /// Where a survey turns more sharply than holes are drilled, as by a wrong station; empty: nowhere.
 std::string sharp_turn(const std::vector<SurveyStation>& survey);
 
+/// Where a survey begins more inclined than slant rigs drill, as where inclinations count from the horizontal; empty: it does
+/// not.
+std::string flat_begin(const std::vector<SurveyStation>& survey);
+
 }  // namespace drill_rig_sim
 
 #endif

@@ -50,7 +50,7 @@ Command add_survey_command(CLI::App& drill)
 {
   CLI::App* words = drill.add_subcommand("survey", "prints a survey's minimum-curvature table");
   const auto options = std::make_shared<SurveyOptions>();
-  add_file(*words, "FILE", options->file, "the survey's table (.csv), or a WITSML trajectory (.xml)");
+  add_file(*words, "FILE", options->file, "the survey's table (.csv, .las), or a WITSML trajectory (.xml)");
   add_survey_file_options(*words, options->reading, "its");
   add_units(*words, options->units);
   return {words, [options] { print_survey(*options); }};

@@ -11,7 +11,7 @@ TEST(SceneSurvey, BarsNumbersOfStationsAndDepthsBelowKb)
   expect_station(read("MD (m)|Inc (deg)|Azi (deg)\n0|0|0\n500,5|1,5|40,25\n").stations[1], 500.5, 1.5, 40.25);
   expect_station(read("#,MD (m),Inc (deg),Azi (deg)\n1,0,0,0\n2,500,1,40\n").stations[1], 500.0, 1.0, 40.0);
   expect_station(read("# by hand\nMD below KB (m),Inc (deg),Azi (deg)\n0,0,0\n500,1,40\n").stations[1], 500.0, 1.0, 40.0);
-  EXPECT_TRUE(holds(refusal("~V\nVERS. 2.0:\n"), ":1: begins as a LAS file, needed: a survey"));
+  EXPECT_TRUE(holds(refusal("~V\nVERS. 2.0:\n"), ":1: begins as a LAS file and has no curves (~C)"));
 }
 
 TEST(SceneSurvey, ATurnThatNoHoleHasIsReported)

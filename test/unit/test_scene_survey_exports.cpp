@@ -121,6 +121,50 @@ TEST(SceneSurvey, PagesAndFooters)
   ASSERT_EQ(1u, report.remarks.size()) << report.remarks.front();
 }
 
+namespace
+{
+std::string las(const std::string& version, const std::string& wrap, const std::string& curves, const std::string& rows)
+{
+  return "# made for a test\n~Version\nVERS. " + version + " : LAS\nWRAP. " + wrap +
+         " : one line a depth\n~Well\nSTRT.FT 0 :\nNULL. -1 :\n" + "~Curve\n" + curves + "~Parameter\n~A\n" + rows;
+}
+}  // namespace
+
+TEST(SceneSurvey, LasOfASurvey)
+{
+  const std::string curves = "DEPT.FT : measured depth\nGR  .GAPI : gamma\nDEVI.DEG 01 : deviation\nHAZI.DEG : azimuth\n";
+  const SurveyTable table = read(las("2.0", "NO", curves, "0 -1 0 0\n\n# a\n1000.0 30 10.0 45.0\n"));
+  ASSERT_EQ(2u, table.stations.size());
+  expect_station(table.stations[1], 304.8, 10.0, 45.0);
+  EXPECT_TRUE(holds(table.remarks.at(0), "\"DEPT (FT)\" is read as measured depth"));
+  EXPECT_TRUE(holds(refusal(las("2.0", "NO", curves, "0 0 0 0\n1000.0 30 -1.00 45.0\n")), ":16: DEVI (DEG): has no value"));
+  EXPECT_TRUE(
+      holds(refusal(las("2.0", "YES", curves, "0\n0 0 0\n")), "begins as a LAS file and wraps its lines, needed: LAS 1.2"));
+  EXPECT_TRUE(holds(refusal(las("3.0", "NO", curves, "0 0 0 0\n")), "is LAS 3, needed: LAS 1.2"));
+  EXPECT_TRUE(holds(refusal(las("2.0", "NO", "", "0 0 0 0\n")), "has no curves (~C)"));
+  EXPECT_TRUE(
+      holds(refusal(las("2.0", "NO", "DEPT.FT : d\nGR.GAPI : g\n", "0 0\n")), "inclination_deg, azimuth_deg: no such column"));
+}
+
+TEST(SceneSurvey, ADatumThatIsNotTheRotaryTable)
+{
+  const std::string rows = "MD (m),Inc (deg),Azi (deg)\n0,0,0\n500,10,45\n";
+  for (const char* line : {"Depth Reference: MSL", "# MD reference: Mean Sea Level", "Depth datum,Sea Level"})
+    EXPECT_TRUE(holds(read(std::string(line) + "\n" + rows).remarks.at(0), "depths count from mean sea level, as the file says"))
+        << line;
+  EXPECT_TRUE(holds(read("Depth Reference: Ground Level\n" + rows).remarks.at(0), "from ground level"));
+  for (const char* line :
+       {"TVD Reference: Mean Sea Level", "MD Reference: RKB @ 35.2 m above MSL", "Permanent datum: MSL", "Water depth to MSL"})
+    EXPECT_TRUE(read(std::string(line) + "\n" + rows).remarks.empty()) << line;
+  EXPECT_TRUE(holds(refusal("MD,Inc,Azi\nft MSL,deg,deg\n0,0,0\n500,10,45\n"), "\"ft MSL\" is not a known unit"));
+}
+
+TEST(SceneSurvey, InclinationsFromTheHorizontal)
+{
+  EXPECT_TRUE(holds(read("MD (m),Inc (deg),Azi (deg)\n0,90,0\n500,85,45\n").remarks.at(0), "begins with 90 deg of inclination"));
+  EXPECT_TRUE(read("MD (m),Inc (deg),Azi (deg)\n0,45,0\n500,50,0\n").remarks.empty());
+}
+
 // Where columns are not aligned, a row may stand anywhere.
 TEST(SceneSurvey, RowsOfAnyWidth)
 {
