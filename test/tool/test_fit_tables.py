@@ -65,6 +65,25 @@ class Weights(Folder):
         self.assertIn("3 of 3 rows have a pick-up weight below the slack-off weight", "\n".join(self.weights(PLAIN.replace("PU,SO", "SO,PU"))[2]))
         self.assertEqual([], self.weights(PLAIN)[2])
 
+    def test_what_no_string_has(self):
+        """Zeros are left out; another unit, a slip of the pen and a rotating weight beyond the others are reported."""
+        for cell in ("0", "0.00", "-104.25"):
+            _, found, remarks = self.weights(PLAIN.replace("104.25", cell))
+            self.assertEqual([False, True, False], list(numpy.isnan(found["pick_up"])))
+            self.assertIn("t.csv: pick_up: 1 weights of 0 or below are left out (first: %s/t.csv:3)" % self.folder, "\n".join(remarks))
+        tared = self.weights("depth (m),slips_up (kN),pick_up (kN)\n900,0,400\n", "{file: t.csv}")
+        self.assertEqual(([0.0], []), (list(tared[1]["slips_up"]), tared[2]))
+        _, _, remarks = self.weights(PLAIN, FIT.replace("klbf", "lbf"))
+        self.assertEqual(2, sum("less than a block weighs; is its unit right?" in line for line in remarks), remarks)
+        for wrong in ("1042.5", "10.425"):
+            far = [line for line in self.weights(PLAIN.replace("104.25", wrong))[2] if "is far from" in line]
+            self.assertEqual(1, len(far))
+            self.assertIn("kN at 900 m is far from those at similar depths, about 466 kN (%s/t.csv:3); check it" % self.folder, far[0])
+        self.assertEqual([], self.weights("MD,PU,SO\n0,30,30\n1000,100,95\n3000,250,200\n")[2])
+        table = "depth (m),pick_up (kN),slack_off (kN),rotating (kN)\n600,400,380,%g\n900,470,430,450\n"
+        for rotating, odd in ((390, 0), (350, 0), (435, 0), (330, 1), (450, 1)):  # the sheaves' friction and the gauge count
+            self.assertEqual(odd, len([line for line in self.weights(table % rotating, "{file: t.csv}")[2] if "1 of 2 rows have a rotating weight" in line]), rotating)
+
     def test_columns_that_are_known_by_their_names(self):
         """Rows with several weights, of which a missing one is reported; and rows with one each, as drill weights writes them, of which none is missing. The torque must be named."""
         names = PLAIN.replace("MD,PU,SO", "depth (m),pick_up (klbf),slack_off (klbf)")

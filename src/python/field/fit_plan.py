@@ -12,6 +12,7 @@ from drill_rig_sim.field.record import COMPARED, RecordError, prefixed, read_rec
 from drill_rig_sim.field.signal_reader import values_of
 from drill_rig_sim.field.start import FROM
 from drill_rig_sim.field.table import bare
+from drill_rig_sim.field.weight_checks import leave_out_zeros, unlikely
 from drill_rig_sim.field.window import limits, stretches
 
 OF_RECORDS = ("columns", "signals", "from", "to", "leave_out", "start")
@@ -130,7 +131,9 @@ def weights_of(entry, base):
     if len(odd):
         cell = table.rows[odd[0]][table.column(columns["depth"].names[0])].strip()
         raise RecordError("%s: %s: %s is not a depth of a well" % (table.place(odd[0]), columns["depth"].names[0], cell or "an empty cell"))
-    return depths, found, prefixed(table.file, remarks + remarks_of(table, found)), errors_of(table, nulls)
+    loads = {name: values for name, values in found.items() if quantity_of(name) == "hook_load"}
+    remarks += leave_out_zeros(table, loads)
+    return depths, found, prefixed(table.file, remarks + remarks_of(table, found) + unlikely(table, depths, loads)), errors_of(table, nulls)
 
 
 def errors_of(table, nulls):
