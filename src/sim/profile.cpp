@@ -236,6 +236,7 @@ StaticReport report_on(const Scene& scene, const SlidingMotion& sliding, double 
   report.loads = StringWatch(*rig.model).look(*rig.model, rig.state, report.outcome.forces);
   report.buckled = buckled_pipe(*rig.model, rig.state, report.outcome.forces);
   report.accuracy = doubt_of_string(*rig.model, rig.state, report.outcome.forces);
+  report.tight = tight_assembly(*rig.model, rig.statics.forces);
   if (!report.outcome.converged) return report;
   if (report.accuracy.doubt == AccuracyDoubt::none) report.accuracy = doubt_of_hole(rig.state);
   if (report.accuracy.doubt == AccuracyDoubt::none) report.accuracy = doubt_of_level(scene, rig.state);

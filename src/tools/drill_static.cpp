@@ -113,6 +113,7 @@ void print_static(const StaticOptions& options)
   print_report(report, Printed(options.units));
   const std::string doubt = text_of(report.accuracy);
   if (!doubt.empty()) std::printf("accuracy warning: %s\n", doubt.c_str());
+  if (report.tight) std::printf("assembly warning: %s\n", text_of(*report.tight).c_str());
   if (csv)
   {
     write_profile(csv.get(), report.profile);

@@ -25,6 +25,11 @@ class Check(test_drill.Drill):
         self.assertIn(['drill_pipe', 'pipe', '19.10', '119.70', '%.0f' % (31.9 * 100.6)], rows)
         self.assertIn(['string', '119.70', '%.0f' % (40.0 + 136.0 * 18.8 + 31.9 * 100.6)], rows)
 
+    def test_static_reports_a_bent_motor_that_does_not_fit(self):
+        tight = ('--set', 'string[1].sleeve_diameter=0.309', '--set', 'string[1].bit_to_sleeve=0.9')
+        self.assertIn('assembly warning: the bent motor does not fit into its hole', self.succeed('static', BOHAI, *tight))
+        self.assertNotIn('assembly warning', self.succeed('static', BOHAI))
+
     def test_check_names_the_key_that_decides_the_mesh(self):
         def mesh(*words):
             return [line for line in self.succeed('check', BOHAI, *words).splitlines() if line.startswith('mesh ')][0]

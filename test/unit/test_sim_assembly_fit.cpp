@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "drill_rig_sim/sim/profile.h"
 #include "drill_rig_sim/sim/simulator.h"
 #include "drill_rig_sim/solve/start.h"
 #include "test_scenes.h"
@@ -40,6 +41,17 @@ TEST(AssemblyFit, aTightSleeveBelowALargeBend)
   EXPECT_NEAR(tight->weight, standard_gravity * (40.0 + 8.3 * 136.0) * (1.0 - 1200.0 / 7850.0), 0.05 * tight->weight);
   EXPECT_NE(text_of(*tight).find("does not fit into its hole"), std::string::npos);
   EXPECT_TRUE(tight_at_rest(bent_motor(1.83 * degree, 0.2096, 0.7)));
+}
+
+// Its side force drags on the wall, which the hook load of drill static holds too.
+TEST(AssemblyFit, isPartOfAStaticReport)
+{
+  const StaticReport tight = static_report(bent_motor(1.5 * degree, 0.20955), sliding_up);
+  ASSERT_TRUE(tight.tight);
+  EXPECT_GT(tight.tight->side_force, 40e3);
+  const StaticReport loose = static_report(bent_motor(1.5 * degree, 0.0), sliding_up);
+  EXPECT_FALSE(loose.tight);
+  EXPECT_GT(tight.hook_load, loose.hook_load + 0.2 * (tight.tight->side_force - loose.bit_side_force));
 }
 
 TEST(AssemblyFit, aMotorThatLeansInItsHole)

@@ -2,8 +2,11 @@
 #ifndef DRILL_RIG_SIM_SIM_PROFILE_H
 #define DRILL_RIG_SIM_SIM_PROFILE_H
 
+#include <optional>
+
 #include "drill_rig_sim/rig/hoisting.h"
 #include "drill_rig_sim/sim/accuracy.h"
+#include "drill_rig_sim/sim/assembly_fit.h"
 #include "drill_rig_sim/sim/string_profile.h"
 #include "drill_rig_sim/sim/string_watch.h"
 #include "drill_rig_sim/solve/statics.h"
@@ -19,7 +22,8 @@ struct StaticReport
   StaticOutcome outcome;
   StringLoads loads;  ///< what the string bears
   BuckledPipe buckled;
-  AccuracyReport accuracy;      ///< what of it the elements do not stand for
+  AccuracyReport accuracy;             ///< what of it the elements do not stand for
+  std::optional<TightAssembly> tight;  ///< whose side force drags on the wall too
   double refined_length = 0.0;  ///< of the elements that were taken for the scene's, where these are too long for compressed
                                 ///< pipe; 0: these are not [m]
   StringProfile profile;
