@@ -63,7 +63,7 @@ constexpr double most_work = 10e6, first_work = 3e6;  // [nodes times iterations
 StaticOutcome solve_within(double& work, const SlidingMotion& sliding, RigAtRest& rig, double first_share)
 {
   const double most = std::clamp(work / rig.model->nodes(), 1.0, 1.0 * most_static_iterations);
-  const StaticOutcome outcome = solve_static(*rig.model, rig.state, sliding, static_cast<int>(most), first_share);
+  StaticOutcome outcome = solve_static(*rig.model, rig.state, sliding, static_cast<int>(most), first_share);
   work -= 1.0 * outcome.iterations * rig.model->nodes();
   return outcome;
 }
@@ -91,11 +91,11 @@ void put_top(double height, State& state) noexcept
 StaticOutcome slide(const SlidingMotion& sliding, double first_share, double& work, RigAtRest& rig)
 {
   const State start = rig.state;
-  const StaticOutcome at_once = solve_within(work, sliding, rig, first_share);
+  StaticOutcome at_once = solve_within(work, sliding, rig, first_share);
   if (!at_once.converged || at_once.gradual || buckled_pipe(*rig.model, rig.state, at_once.forces).helical == 0.0) return at_once;
   const State found = rig.state;
   rig.state = start;
-  const StaticOutcome gradual = solve_within(work, sliding, rig, gradual_share);
+  StaticOutcome gradual = solve_within(work, sliding, rig, gradual_share);
   if (gradual.converged) return gradual;
   rig.state = found;
   return at_once;
