@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Weights of a table that no string has: those of 0 or below are left out, others are reported."""
 import numpy
+from drill_rig_sim.field.record import LEAST_LOAD
 
 NEIGHBOURS, FAR, DEEPER = 2, 2.5, 2.0  # on each side; as a ratio of the loads, and of the depths up to which loads are compared
-LEAST_LOAD = 5e3                       # of all numbers of a load [N]: a block weighs more
 OUTSIDE = 0.1                          # of the pick-up or slack-off weight, by which a rotating weight may lie beyond both: sheaves and gauges
 
 
