@@ -1,7 +1,8 @@
 """What the campaigns beside this ask of a run; each gets a drill_rig_sim.campaign.played.Played."""
 import numpy
 
-WEIGHT = 60e3  # that the autodriller is asked for [N]
+WEIGHT = 60e3      # that the autodriller is asked for [N]
+FRACTURE = 1350.0  # mud weight that opens the rock at the bit [kg/m3]
 
 
 def means(values, t, seconds):
@@ -24,9 +25,6 @@ def lost_weight(played):
     """Of the weight that the surface shows, the share that does not come down to the bit."""
     surface, bit = played.readings("surface_wob").mean(), played.bit("wob").mean()
     return float(1.0 - bit / surface) if surface > 1e3 else None
-
-
-FRACTURE = 1350.0  # mud weight that opens the rock at the bit [kg/m3]
 
 
 def margin_to_fracture(played):

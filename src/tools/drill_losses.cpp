@@ -133,7 +133,10 @@ void print_losses(const Scene& scene, const Mesh& mesh, const MudCircuit& mud, c
               loss_text(losses.annulus, printed).c_str(),
               loss_text(losses.lines + losses.bore + losses.bit + losses.annulus, printed).c_str());
   std::printf(mud.circuit.law.any() ? "\n" : " by pressure_coefficient\n");
-  scene.rheology ? print_densities(scene, mesh, mud, printed) : print_rule_of_thumb(scene, mesh, mud, printed);
+  if (scene.rheology)
+    print_densities(scene, mesh, mud, printed);
+  else
+    print_rule_of_thumb(scene, mesh, mud, printed);
   if (scene.cuttings) print_cuttings(scene, mesh, printed);
 }
 
