@@ -10,6 +10,7 @@
 
 drill_rig_sim.sim has the same without a node.
 """
+import threading
 import time
 
 import actionlib
@@ -23,6 +24,7 @@ from drill_rig_sim.srv import (InjectFault, InjectFaultRequest, LoadSurvey, Make
 from std_srvs.srv import SetBool, Trigger
 
 COMMANDS = {"winch": WinchCommand, "top_drive": TopDriveCommand, "mud_pump": MudPumpCommand, "steering": SteeringCommand}
+UNDER_WAY = (GoalStatus.PENDING, GoalStatus.ACTIVE)
 ASK_AGAIN = 2.0  # between looks whether a node that is waited for still answers [wall s]
 
 
@@ -51,7 +53,7 @@ class Rig(Lockstep):
         self._step = rospy.ServiceProxy(self._prefix + "/step", StepSimulation, persistent=True)
         self._request = StepSimulationRequest()
         self._telemetry = {"toolface": None, "survey": None, "inclination": None, "dynamics": None}
-        self._operations = None  # the client of the action run_operations
+        self._operations = self._goal = None  # the client of the action run_operations, and its last goal
         self.rate = frames_per_second(self._prefix + "/step")
         self._look()
 
@@ -137,22 +139,25 @@ class Rig(Lockstep):
         """The driller begins operations, one after the other, as a scene has them: {"do": "trip", "to_depth": 1200}, a list of such, or their YAML. The reading
         operation_number is 0 once all are finished. A set point takes over the rig from them."""
         self._advance(0)
-        self._operations = client = actionlib.SimpleActionClient(self._prefix + "/run_operations", RunOperationsAction)
-        client.wait_for_server()
-        client.send_goal(RunOperationsGoal(operations=yaml_of(operations)))
-        self._wait_while(lambda: client.get_state() == GoalStatus.PENDING)
-        if client.get_state() == GoalStatus.ABORTED:
+        if not self._operations:
+            self._operations = actionlib.ActionClient(self._prefix + "/run_operations", RunOperationsAction)
+        self._operations.wait_for_server()
+        begun = threading.Event()
+        # a simple client loses the state of a goal that is refused before send_goal() returns
+        self._goal = goal = self._operations.send_goal(RunOperationsGoal(operations=yaml_of(operations)), feedback_cb=lambda *_: begun.set())
+        self._wait_while(lambda: not begun.is_set() and goal.get_goal_status() in UNDER_WAY)
+        if self.given_up:
             raise Refused(self.given_up)
         return self._look()
 
     @property
     def given_up(self):
         """Why the operation under way was given up, the block braked; "": it was not."""
-        client = self._operations
-        if not client or client.get_state() != GoalStatus.ABORTED:
+        goal = self._goal
+        if not goal or goal.get_goal_status() != GoalStatus.ABORTED:
             return ""
-        self._wait_while(lambda: client.get_result() is None)  # a topic of its own, which may be later than the state's
-        return client.get_result().message
+        self._wait_while(lambda: goal.get_result() is None)  # a topic of its own, which may be later than the state's
+        return goal.get_result().message
 
     # --- the connection
 

@@ -16,6 +16,18 @@ namespace
 constexpr double feedback_period = 0.2;  // of simulated time [s]
 
 constexpr char replaced[] = "another rig, well or saved state has taken the place of this one";
+
+RunOperationsFeedback feedback_of(const OperationStatus& operation, const std::string& what, const Readings& readings)
+{
+  RunOperationsFeedback feedback;
+  feedback.operation_number = static_cast<std::uint32_t>(operation.number);
+  feedback.operation_count = static_cast<std::uint32_t>(operation.count);
+  feedback.current_operation = what;
+  feedback.operation_progress = operation.progress;
+  feedback.bit_depth = readings.bit_depth;
+  feedback.hole_depth = readings.hole_depth;
+  return feedback;
+}
 }  // namespace
 
 OperationsAction::OperationsAction(ros::NodeHandle& node, SimulationLoop& loop)
@@ -60,6 +72,7 @@ std::string OperationsAction::start(const std::string& operations)
         epoch = loop.epoch();
       });
   const ScenePlayer player = operations_of(operations, "goal", present);
+  RunOperationsFeedback begun;
   loop_.between_frames(
       [&](SimulationLoop& loop)
       {
@@ -68,7 +81,10 @@ std::string OperationsAction::start(const std::string& operations)
         began_ = loop.rig().simulator->truth().time;
         epoch_ = epoch;
         order_ = loop.play(player);
+        const OperationStatus first = loop.rig().player.operations().status();
+        begun = feedback_of(first, word_of(first.kind), loop.rig().simulator->readings());
       });
+  server_.publishFeedback(begun);  // a client may wait for it before it lets time go on
   return std::to_string(player.operations().status().count) + " begin";
 }
 
@@ -121,14 +137,7 @@ void OperationsAction::give_feedback(const FrameRecord& frame)
 {
   told_number_ = frame.operation.number;
   told_at_ = frame.truth.time;
-  RunOperationsFeedback feedback;
-  feedback.operation_number = static_cast<std::uint32_t>(frame.operation.number);
-  feedback.operation_count = static_cast<std::uint32_t>(frame.operation.count);
-  feedback.current_operation = what_is_done(frame);
-  feedback.operation_progress = frame.operation.progress;
-  feedback.bit_depth = frame.readings.bit_depth;
-  feedback.hole_depth = frame.readings.hole_depth;
-  server_.publishFeedback(feedback);
+  server_.publishFeedback(feedback_of(frame.operation, what_is_done(frame), frame.readings));
 }
 
 }  // namespace drill_rig_sim

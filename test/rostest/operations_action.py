@@ -101,7 +101,7 @@ class OperationsAction(unittest.TestCase):
         self.assertEqual(GoalStatus.PREEMPTED, self.end()[0])
         wait_until(lambda: self.rig.advance(0).current_operation == "wait", "the other goal begins")
         self.assertTrue(self.rig.advance(150).winch.brake)
-        self.assertTrue(other.wait_for_result())
+        wait_until(lambda: other.get_result() is not None, "the other goal ends")
         self.assertTrue(other.get_result().success)
 
     def test_a_reset_ends_it(self):
