@@ -39,7 +39,8 @@ DynamicsReading DynamicsTool::reading(double time, double md) const noexcept
   r.md = md;
   r.duration = time - began_;
   for (double* mean : {&r.weight, &r.torque, &r.speed}) *mean /= r.duration;
-  r.stick_slip = r.speed != 0.0 ? (r.largest_speed - r.least_speed) / (2.0 * std::abs(r.speed)) : 0.0;
+  const double mean = std::abs(r.speed);
+  r.stick_slip = mean >= turning ? (r.largest_speed - r.least_speed) / (2.0 * mean) : 0.0;
   return r;
 }
 

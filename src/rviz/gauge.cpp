@@ -166,24 +166,19 @@ void Gauge::paint_texts(QPainter& painter, const QRect& area)
   QString label = is_pulled() ? QString("Over-pull") : QString(row_.label);
   if (is_filled() && !stale_ && level_ != Level::normal) label.prepend(QString::fromUtf8(level_ == Level::alarm ? "▲ " : "△ "));
   int label_width = painter.fontMetrics().horizontalAdvance(label);
+  const QString below = margin_text_.isEmpty() && shows_error() ? error_text_ : margin_text_;
   const QRect two_lines(area.left(), area.top() - 1, area.width(), area.height() - bar_height);
-  painter.drawText(margin_text_.isEmpty() ? line : two_lines,
-                   Qt::AlignLeft | (margin_text_.isEmpty() ? Qt::AlignVCenter : Qt::AlignTop), label);
-  if (!margin_text_.isEmpty())
+  painter.drawText(below.isEmpty() ? line : two_lines, Qt::AlignLeft | (below.isEmpty() ? Qt::AlignVCenter : Qt::AlignTop),
+                   label);
+  if (!below.isEmpty())
   {
     QFont fine = small;
     fine.setPixelSize(std::min(small.pixelSize(), 10));
     painter.setFont(fine);
-    painter.drawText(two_lines, Qt::AlignLeft | Qt::AlignBottom, margin_text_);
-    label_width = std::max(label_width, painter.fontMetrics().horizontalAdvance(margin_text_));
-    painter.setFont(small);
+    painter.drawText(two_lines, Qt::AlignLeft | Qt::AlignBottom, below);
+    label_width = std::max(label_width, painter.fontMetrics().horizontalAdvance(below));
   }
-  QRect room = line.adjusted(label_width + 6, 0, 0, 0);
-  if (shows_error())
-  {
-    painter.drawText(room, Qt::AlignRight | Qt::AlignVCenter, error_text_);
-    room.adjust(0, 0, -painter.fontMetrics().horizontalAdvance(error_text_) - 4, 0);
-  }
+  const QRect room = line.adjusted(label_width + 6, 0, 0, 0);
 
   QFont large = font();
   large.setBold(is_filled());

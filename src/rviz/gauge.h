@@ -26,7 +26,7 @@ struct GaugeMark
   QString text;  // for the tool tip
 };
 
-/// One value: its number large with its measured error small behind it, a bar with zones of caution and alarm below it, and the
+/// One value: its number large, its measured error small below its name, a bar with zones of caution and alarm below it, and the
 /// truth as a faint line if asked for. A caution has the sign "△" before its name, an alarm "▲". A negative weight on bit is
 /// shown as over-pull, with the margin to yield if it is known. Its accessible name is "KIND KEY", its accessible description
 /// what it shows.

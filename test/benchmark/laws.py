@@ -34,17 +34,19 @@ PARTS = (('frame', (('sim/simulator.cpp', 'Simulator::frame('),)),
          ('warnings', (('sim/accuracy_watch.cpp', 'watch_model('), ('sim/string_watch.cpp', 'StringWatch::look('))))
 
 
-def run(drill, scene, duration, folder):
-    """Inclusive instructions by (source file, signature), and nodes times steps."""
+def run(drill, scene, duration, folder, level='beam3d'):
+    """Inclusive instructions by (source file, signature), and what `drill run --json` tells."""
     out, summary = os.path.join(folder, 'callgrind.laws'), os.path.join(folder, 'laws.json')
     subprocess.run(['valgrind', '--tool=callgrind', '--callgrind-out-file=' + out, '--toggle-collect=drill_rig_sim::Simulator::frame*', drill, 'run', scene,
-                    '--duration', '%g' % duration, '--element-length', JOINT, '--step', STEP, '--integrator', 'bdf2', '--set', 'numerics.level=beam3d', '--json', summary],
+                    '--duration', '%g' % duration, '--element-length', JOINT, '--step', STEP, '--integrator', 'bdf2', '--set', 'numerics.level=' + level, '--json', summary],
                    stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=True)
     told = subprocess.run(['callgrind_annotate', '--inclusive=yes', '--threshold=100', out], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, check=True,
                           universal_newlines=True).stdout
+    rows = table_of(told)
+    if not count(rows, PARTS[0][1]):
+        raise SystemExit('run: %s has no line numbers, by which functions are found: build it with -DCMAKE_CXX_FLAGS=-g1' % drill)
     with open(summary) as file:
-        counted = json.load(file)
-    return table_of(told), counted['nodes'] * counted['steps']
+        return rows, json.load(file)
 
 
 def table_of(annotated):
@@ -69,8 +71,8 @@ def measure(tree, folder):
     found = {}
     for scene in SCENES:
         path = next(path for path in (os.path.join(tree, scene.path), os.path.join(SOURCE, scene.path)) if os.path.exists(path))
-        rows, node_steps = run(drill, path, scene.duration, folder)
-        found[scene.name] = [count(rows, pieces) / node_steps for _, pieces in PARTS]
+        rows, summary = run(drill, path, scene.duration, folder)
+        found[scene.name] = [count(rows, pieces) / (summary['nodes'] * summary['steps']) for _, pieces in PARTS]
     return found
 
 

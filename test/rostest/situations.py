@@ -62,6 +62,7 @@ class Situations:
             wait_until(is_pulled, "an over-pull")
             pull.publish(winch(0.0, brake=True))
             self.page.wait_text("#number_wob .label", "^Over-pull")
+            self.page.wait_text("#number_wob .figure", r"^\d{3}")  # kN: the page shows the pull's end, not its beginning
             self.page.wait_text("#number_wob .below", "to yield")
             look(self.page, "over_pull")
 

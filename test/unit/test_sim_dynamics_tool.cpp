@@ -84,6 +84,22 @@ TEST(DynamicsTool, standsStillWithoutAnIndex)
   EXPECT_EQ(0.0, tool.arrived().stick_slip);
 }
 
+TEST(DynamicsTool, hasNoIndexForPipeThatIsNotTurned)
+{
+  // rocks to and fro by 2 rad/s about a mean speed, as while a motor slides or stalls
+  for (const double mean : {0.01, -0.01, 0.4, 0.6, -0.6})
+  {
+    DynamicsTool tool(every(1.0));
+    for (int k = 0; k <= 100; ++k)
+    {
+      SubView view;
+      view.spin_speed = mean + 2.0 * std::sin(2.0 * M_PI * 0.01 * k);
+      tool.update(0.01 * k, flow, view);
+    }
+    EXPECT_NEAR(std::abs(mean) < DynamicsTool::turning ? 0.0 : 2.0 / 0.6, tool.arrived().stick_slip, 0.01) << mean;
+  }
+}
+
 TEST(DynamicsTool, movesWithTheClock)
 {
   DynamicsTool still(every(2.0, 3.0)), moved(every(2.0, 3.0));

@@ -27,11 +27,14 @@ struct SubView
 /// A tool that measures in each frame and sends what came of it by periods, late and not without flow, as the MWD does (mwd.h).
 /// - weight = weight_below - tension, mean: what carries the string below it, its friction included; 0 for one that hangs;
 /// - torque and speed mean, bending moment and speed at their extremes;
-/// - stick-slip index (largest - least speed)/(2 mean): 1 where the pipe just stops, 0 for a mean of none;
+/// - stick-slip index (largest - least speed)/(2 mean): 1 where the pipe just stops, 0 for a mean below `turning`, as while
+/// sliding;
 /// - shocks: largest accelerations along and across the string, between frames: waves shorter than two frames are not in them.
 class DynamicsTool
 {
 public:
+  static constexpr double turning = 0.5;  ///< least mean speed of pipe that is turned, 5 rpm [rad/s]
+
   DynamicsTool() = default;
   explicit DynamicsTool(const DynamicsSpec& spec) : spec_(spec) {}
   /// A frame that ends at `time` [s].
