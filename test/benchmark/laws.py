@@ -42,18 +42,15 @@ def run(drill, scene, duration, folder, level='beam3d'):
                    stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=True)
     told = subprocess.run(['callgrind_annotate', '--inclusive=yes', '--threshold=100', out], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, check=True,
                           universal_newlines=True).stdout
-    rows = table_of(told)
-    if not count(rows, PARTS[0][1]):
-        raise SystemExit('run: %s has no line numbers, by which functions are found: build it with -DCMAKE_CXX_FLAGS=-g1' % drill)
     with open(summary) as file:
-        return rows, json.load(file)
+        return table_of(told), json.load(file)
 
 
 def table_of(annotated):
-    """Rows of callgrind_annotate as {(file below src, signature): instructions}; a file may stand there by two paths."""
+    """Rows of callgrind_annotate as {(file below src, signature): instructions}; a file may stand there by two paths, or as ???."""
     rows = {}
     for line in annotated.splitlines():
-        match = re.match(r'\s*([\d,]+) \([\d. ]+%\)\s+(?:\S*?/)?src/([^:]+):(.*?)( \[[^\]]*\])?$', line)
+        match = re.match(r'\s*([\d,]+) \([\d. ]+%\)\s+(?:(?:\S*?/)?src/)?(\?\?\?|[^:/]+/[^:]+):(.*?)( \[[^\]]*\])?$', line)
         if match:
             key = (match.group(2), match.group(3))
             rows[key] = max(rows.get(key, 0), int(match.group(1).replace(',', '')))
@@ -61,8 +58,9 @@ def table_of(annotated):
 
 
 def count(rows, pieces):
+    """Of pieces (file, function), the file None for a function whose name is that of no other."""
     return sum(n for (file, signature), n in rows.items() for end, function in pieces
-               if file == end and ('::' + function) in signature and '{lambda' not in signature)
+               if end in (file, None) and ('::' + function) in signature and '{lambda' not in signature)
 
 
 def measure(tree, folder):
@@ -72,6 +70,8 @@ def measure(tree, folder):
     for scene in SCENES:
         path = next(path for path in (os.path.join(tree, scene.path), os.path.join(SOURCE, scene.path)) if os.path.exists(path))
         rows, summary = run(drill, path, scene.duration, folder)
+        if not count(rows, PARTS[0][1]):
+            raise SystemExit('run: %s has no line numbers, by which files are found: build it with -DCMAKE_CXX_FLAGS=-g1' % drill)
         found[scene.name] = [count(rows, pieces) / (summary['nodes'] * summary['steps']) for _, pieces in PARTS]
     return found
 

@@ -8,8 +8,8 @@ import yaml
 SCENE = os.path.join(laws.SOURCE, 'config/campaigns/mud.yaml')  # 2.5 km
 DURATION = 12.0  # [s], while the pump starts and the bit is off bottom
 LEVELS = ('beam3d', 'axial_torsional')
-FRAME = dict(laws.PARTS)['frame']
-MUD = (('model/advance.cpp', 'advance_mud('), ('model/hole_cleaning.cpp', 'advance_cuttings('))
+FRAME = ((None, 'Simulator::frame('),)
+MUD = ((None, 'advance_mud('), (None, 'advance_cuttings('))
 # (row, the keys of `mud` that it has); a key without a value takes all defaults
 ROWS = (('two volumes, one loss coefficient', ()),
         ('pressure losses by section', ('rheology',)),

@@ -102,6 +102,28 @@ def paper(browser):
     return base64.b64decode(browser.execute_cdp_cmd("Page.printToPDF", {"printBackground": True, "preferCSSPageSize": True})["data"])
 
 
+BLANK_CHARTS = """
+return [...document.querySelectorAll(".sheet:not(.empty)")].filter((sheet) => [...sheet.querySelectorAll("canvas")].some((canvas) =>
+  canvas.width < 20 || canvas.height < 100 || !canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data.some((one) => one)))
+  .map((sheet) => sheet.id);
+"""
+
+
+@contextlib.contextmanager
+def on_paper(browser):
+    """The page as it stands while it is printed."""
+    browser.execute_script("window.dispatchEvent(new Event('beforeprint'))")
+    try:
+        yield
+    finally:
+        browser.execute_script("window.dispatchEvent(new Event('afterprint'))")
+
+
+def blank_charts(browser):
+    """Sheets that have something to show, and a chart without anything on it."""
+    return browser.execute_script(BLANK_CHARTS)
+
+
 class Page:
     """The page in a browser."""
 

@@ -8,7 +8,8 @@ import signal
 import tempfile
 
 import rosbag
-from browser import PROGRAMS, Bridge, Page, chrome, hung, paper, picture, processes_below, processor_time, renderers_of, resize
+from browser import (PROGRAMS, Bridge, Page, blank_charts, chrome, hung, on_paper, paper, picture, processes_below, processor_time, renderers_of,
+                     resize)
 from drill_rig_sim.msg import RigState
 from rig_test import PACKAGE_DIR, Rig, needs, rospy, run, time, unittest, wait_until
 from rosgraph import Master
@@ -194,6 +195,8 @@ class Web(Situations, unittest.TestCase):
         self.page.click("#tab_time_log")
         if os.environ.get("UPDATE_README") == "1":
             picture(self.browser, "web", os.path.join(PACKAGE_DIR, "src", "tools", "pictures"))
+        with on_paper(self.browser):
+            self.assertEqual([], blank_charts(self.browser))
         pdf = paper(self.browser)
         self.assertTrue(pdf.startswith(b"%PDF"))
         if os.environ.get("DRILL_RIG_SIM_PICTURES"):

@@ -98,7 +98,7 @@ class FiveStands(unittest.TestCase):
         if not os.environ.get("DRILL_RIG_SIM_BROWSER"):
             self.skipTest("the page in Chromium is tested by ./test/run --browser")
         sys.path.insert(0, os.path.join(SOURCE, "test", "rostest"))
-        from browser import Page, chrome, paper, picture, resize
+        from browser import Page, blank_charts, chrome, on_paper, paper, picture, resize
         browser = chrome(1280, 800)
         self.addCleanup(browser.quit)
         page = Page(browser, "file://" + self.page)
@@ -116,10 +116,13 @@ class FiveStands(unittest.TestCase):
         self.assertFalse(page.one("#work_out").is_displayed())
         self.assertEqual([], page.errors())
         page.click("#tab_time_log")
-        browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "print"})
-        self.assertEqual([], [name for name in (".ends .low", ".ends .high") if not page.one("#time_log " + name).is_displayed()])
-        self.assertFalse(page.one("#time_log button:not(.low, .high)").is_displayed())
-        browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": ""})
+        resize(browser, 1280, 800)
+        with on_paper(browser):
+            self.assertEqual([], [name for name in (".ends .low", ".ends .high") if not page.one("#time_log " + name).is_displayed()])
+            self.assertFalse(page.one("#time_log button:not(.low, .high)").is_displayed())
+            self.assertEqual([], blank_charts(browser))
+            self.assertTrue(page.one("#broomstick canvas").is_displayed())
+        self.assertFalse(page.one("#broomstick canvas").is_displayed())
         pdf = paper(browser)
         self.assertTrue(pdf.startswith(b"%PDF"))
         folder = os.environ.get("DRILL_RIG_SIM_PICTURES")

@@ -151,7 +151,7 @@ export function trackAxis(display = true) {
     grid: gridOnly() });
 }
 
-/// Paper is drawn larger than a hidden chart: all are measured again.
+/// All are measured again: for paper, and for the screen after it.
 export function resizeCharts() {
   for (const chart of charts) chart.resize();
 }

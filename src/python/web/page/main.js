@@ -63,8 +63,15 @@ function drawWhenDue(now) {
   requestAnimationFrame(drawWhenDue);
 }
 
+/// Charts are measured where they stand, which a hidden sheet does not: all sheets stand on the page before it is printed.
 function drawForPaper() {
+  document.body.classList.add("paper");
   for (const name of Object.keys(sheets)) draw(name);
+  resizeCharts();
+}
+
+function drawForScreen() {
+  document.body.classList.remove("paper");
   resizeCharts();
 }
 
@@ -82,7 +89,7 @@ for (const type of ["bins", "sheets", "well", "string", "parts", "alarms", "broo
 }
 for (const event of ["units", "theme"]) document.addEventListener(event, rebuild);
 window.addEventListener("beforeprint", drawForPaper);
-window.addEventListener("afterprint", resizeCharts);
+window.addEventListener("afterprint", drawForScreen);
 const inside = byId("run");  // of a page that is a file: all its messages
 if (inside) for (const message of JSON.parse(inside.textContent)) take(message);
 else openLink(linkChanged);
