@@ -34,39 +34,90 @@ bool same_number(const std::string& one, const std::string& other)
   return one == other || (std::istringstream(one) >> a && std::istringstream(other) >> b && a == b);
 }
 
+// What a line begins, of "~Inclinometry_Data[1] | Inclinometry_Definition[1]"; in LAS 1.2 and 2.0 the first letter counts.
+enum class LasSection
+{
+  version,
+  well,
+  curves,
+  data,
+  other
+};
+
+// in small letters without blanks, up to the bar
+std::string las_title(const std::string& line)
+{
+  std::string title;
+  for (const char c : lowered(line.substr(1, line.find('|') - 1)))
+    if (c != ' ' && c != '\t') title += c;
+  return title;
+}
+
+LasSection section_of(const std::string& line, bool inclinometry)
+{
+  const std::string title = las_title(line);
+  if (inclinometry && title.rfind("inclinometry_", 0) == 0)
+    return title.find("_definition") != std::string::npos ? LasSection::curves
+           : title.find("_data") != std::string::npos     ? LasSection::data
+                                                          : LasSection::other;
+  const char letter = title.empty() ? ' ' : title[0];
+  if (letter == 'v') return LasSection::version;
+  if (letter == 'w') return LasSection::well;
+  if (inclinometry) return LasSection::other;
+  return letter == 'c' || title.rfind("log_definition", 0) == 0 ? LasSection::curves
+         : letter == 'a' || title.rfind("log_data", 0) == 0     ? LasSection::data
+                                                                : LasSection::other;
+}
+
 // What the sections before the data say.
 struct LasHead
 {
   std::string version = "2.0", null, names;  // names of the curves with their units, parted by semicolons
-  bool wrapped = false, commas = false;
+  char delimiter = ' ';
+  bool wrapped = false;
 
-  void take(char section, const std::string& text)
+  void take(LasSection section, const std::string& text)
   {
     const LasLine line = las_line(text);
-    if (section == 'V' && line.name == "VERS") version = line.value;
-    if (section == 'V' && line.name == "WRAP") wrapped = lowered(line.value) == "yes";
-    if (section == 'V' && line.name == "DLM") commas = lowered(line.value) == "comma";
-    if (section == 'W' && line.name == "NULL") null = line.value;
-    if (section == 'C' && !line.name.empty())
+    if (section == LasSection::version && line.name == "VERS") version = line.value;
+    if (section == LasSection::version && line.name == "WRAP") wrapped = lowered(line.value) == "yes";
+    if (section == LasSection::version && line.name == "DLM") delimiter = delimiter_of(lowered(line.value));
+    if (section == LasSection::well && line.name == "NULL") null = line.value;
+    if (section == LasSection::curves && !line.name.empty())
       names += (names.empty() ? "" : ";") + line.name + (line.unit.empty() ? "" : " (" + line.unit + ")");
   }
+
+  static char delimiter_of(const std::string& word) { return word == "comma" ? ',' : word == "tab" ? '\t' : ' '; }
 };
 
 // a line of the data, its values parted by semicolons
 std::string row_of(const std::string& text, const LasHead& head)
 {
   std::string row;
-  for (const std::string& cell : split(text, head.commas ? ',' : ' '))
-    row += (row.empty() ? "" : ";") + (!head.null.empty() && same_number(cell, head.null) ? "-" : cell);
+  bool first = true;
+  for (const std::string& cell : split(text, head.delimiter))
+  {
+    row += (first ? "" : ";") + (!head.null.empty() && same_number(cell, head.null) ? "-" : cell);
+    first = false;
+  }
   return row;
 }
-}  // namespace
 
-SurveyRows read_survey_las(const std::string& text, const SurveyFormat& format, Problems& problems)
+// whether a line begins a section of data of a survey of LAS 3.0; their number is counted
+std::size_t inclinometries(const std::string& text)
 {
-  LasHead head;
-  std::string table;  // a line for each of the file, so that their numbers stay
-  char section = ' ';
+  std::size_t count = 0;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);)
+    if (line[0] == '~' && las_title(line).rfind("inclinometry_data", 0) == 0) ++count;
+  return count;
+}
+
+// The file as a table: a line for each of its own, so that their numbers stay; what stands above the data as comments.
+std::string table_of(const std::string& text, bool inclinometry, LasHead& head)
+{
+  std::string table;
+  LasSection section = LasSection::other;
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line); table += '\n')
   {
@@ -74,21 +125,33 @@ SurveyRows read_survey_las(const std::string& text, const SurveyFormat& format, 
     if (line.empty() || line[0] == '#') continue;
     if (line[0] == '~')
     {
-      section = line.size() > 1 ? static_cast<char>(std::toupper(static_cast<unsigned char>(line[1]))) : ' ';
-      if (section == 'A') table += head.names;
+      section = section_of(line, inclinometry);
+      if (section == LasSection::data) table += head.names;
     }
-    else if (section == 'A')
+    else if (section == LasSection::data)
       table += row_of(line, head);
     else
+    {
       head.take(section, line);
+      table += "# " + line;
+    }
   }
-  if (head.wrapped || head.version[0] == '3' || head.names.empty())
-    problems.add_at(1, "",
-                    "begins as a LAS file and " +
-                        std::string(head.wrapped         ? "wraps its lines"
-                                    : head.names.empty() ? "has no curves (~C)"
-                                                         : "is LAS 3") +
-                        ", needed: LAS 1.2 or 2.0 without wrapped lines, or " + needed_survey);
+  return table;
+}
+}  // namespace
+
+SurveyRows read_survey_las(const std::string& text, const SurveyFormat& format, Problems& problems)
+{
+  LasHead head;
+  const std::size_t surveys = inclinometries(text);
+  const std::string table = table_of(text, surveys > 0, head);
+  const bool known = !head.version.empty() && head.version[0] >= '1' && head.version[0] <= '3';
+  const std::string wrong = !known         ? "is LAS " + shortened(head.version) + ", allowed: 1.2, 2.0 and 3.0"
+                            : surveys > 1  ? "holds " + std::to_string(surveys) + " surveys (~Inclinometry_Data), needed: one"
+                            : head.wrapped ? std::string("wraps its lines, needed: lines that are not wrapped")
+                            : head.names.empty() ? "has no curves (~C), needed: " + std::string(needed_survey)
+                                                 : "";
+  if (!wrong.empty()) problems.add_at(1, "", "begins as a LAS file and " + wrong);
   if (!problems.empty()) return {};
   SurveyFormat of_table = format;
   of_table.delimiter = ";";

@@ -3,6 +3,7 @@
 // nozzles, clinging.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "drill_rig_sim/hydraulics/flow_losses.h"
@@ -165,6 +166,23 @@ TEST(FlowLosses, herschelBulkleyIsNearApis)
       EXPECT_GT(here, 0.94 * api) << v;
       EXPECT_LT(here, 1.02 * api) << v;
     }
+}
+
+// Between API's two ways for a mud of PV 15 cP, YP 12 Pa and a yield stress of 3 Pa: its whole law, and the power law through the
+// 600 and 300 rpm readings (n 0.475), which is too thin at the shear rates of a bore.
+TEST(FlowLosses, turbulentBoreIsBetweenApisTwoWays)
+{
+  const double at_300 = 12.0 + 0.015 * 511.0, at_600 = 12.0 + 0.015 * 1022.0;
+  const double n = std::log2((at_600 - 3.0) / (at_300 - 3.0)), n_p = std::log2(at_600 / at_300);
+  const Rheology mud = {3.0, (at_300 - 3.0) / std::pow(511.0, n), n}, power = {0.0, at_300 / std::pow(511.0, n_p), n_p};
+  for (const auto& [v, to_whole, to_power] :
+       {std::array{4.5, 0.939, 1.039}, std::array{6.0, 0.950, 1.052}, std::array{8.0, 0.957, 1.063}})
+  {
+    const Passage bore = {4.276 * inch, 0.0, 0.0};
+    const double here = pressure_gradient(mud, 1500.0, bore, v) * foot / psi;
+    EXPECT_NEAR(here / Api(mud, 1500.0, bore, v).gradient, to_whole, 0.003) << v;
+    EXPECT_NEAR(here / Api(power, 1500.0, bore, v).gradient, to_power, 0.003) << v;
+  }
 }
 
 TEST(FlowLosses, lawsMeetAtTheirLimits)

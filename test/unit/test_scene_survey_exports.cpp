@@ -138,12 +138,40 @@ TEST(SceneSurvey, LasOfASurvey)
   expect_station(table.stations[1], 304.8, 10.0, 45.0);
   EXPECT_TRUE(holds(table.remarks.at(0), "\"DEPT (FT)\" is read as measured depth"));
   EXPECT_TRUE(holds(refusal(las("2.0", "NO", curves, "0 0 0 0\n1000.0 30 -1.00 45.0\n")), ":16: DEVI (DEG): has no value"));
-  EXPECT_TRUE(
-      holds(refusal(las("2.0", "YES", curves, "0\n0 0 0\n")), "begins as a LAS file and wraps its lines, needed: LAS 1.2"));
-  EXPECT_TRUE(holds(refusal(las("3.0", "NO", curves, "0 0 0 0\n")), "is LAS 3, needed: LAS 1.2"));
+  EXPECT_TRUE(holds(refusal(las("2.0", "YES", curves, "0\n0 0 0\n")),
+                    "begins as a LAS file and wraps its lines, needed: lines that are not"));
+  EXPECT_TRUE(holds(refusal(las("4.0", "NO", curves, "0 0 0 0\n")), "is LAS 4.0, allowed: 1.2, 2.0 and 3.0"));
+  EXPECT_EQ(2u, read(las("3.0", "NO", curves, "0 -1 0 0\n1000.0 30 10.0 45.0\n")).stations.size());
   EXPECT_TRUE(holds(refusal(las("2.0", "NO", "", "0 0 0 0\n")), "has no curves (~C)"));
   EXPECT_TRUE(
       holds(refusal(las("2.0", "NO", "DEPT.FT : d\nGR.GAPI : g\n", "0 0\n")), "inclination_deg, azimuth_deg: no such column"));
+}
+
+// The survey of a LAS 3.0 file beside its log.
+TEST(SceneSurvey, Inclinometry)
+{
+  const auto file = [](const std::string& delimiter, const std::string& rows, const std::string& more = "")
+  {
+    return "~Version\nVERS. 3.0 : LAS\nWRAP. NO : one line a depth\nDLM . " + delimiter +
+           " : delimiter\n~Well\nSTRT.M 0 :\nNULL. -999.25 :\n~Curve\nDEPT.M : depth {F}\nDEVI.DEG : of the log {F}\nHAZI.DEG : "
+           "of the log {F}\n~ASCII | Curve\n0 1 1\n900 2 2\n~Inclinometry_Parameter\nAZREF. GRID : North reference {S}\n"
+           "~Inclinometry_Definition\nMD.FT : Measured depth {F}\nTVD.FT : True vertical depth {F}\nAZIM.DEG : Borehole azimuth "
+           "{F}\nDEVI.DEG : Borehole deviation {F}\n~Inclinometry_Data | Inclinometry_Definition\n" +
+           rows + more;
+  };
+  for (const std::string& text : {file("SPACE", "0 0 0 0\n1000 995 45 10\n"), file("COMMA", "0,0,0,0\n1000,995,45,10\n"),
+                                  file("TAB", "0\t0\t0\t0\n1000\t995\t45\t10\n")})
+  {
+    const SurveyTable table = read(text);
+    ASSERT_EQ(2u, table.stations.size());
+    expect_station(table.stations[1], 304.8, 10.0, 45.0);
+    ASSERT_EQ(1u, table.remarks.size()) << table.remarks.front();
+    EXPECT_TRUE(holds(table.remarks[0], "azimuths refer to grid north"));
+  }
+  EXPECT_TRUE(holds(refusal(file("SPACE", "0 0 0 0\n1000 995 -999.25 10\n")), "AZIM (DEG): has no value"));
+  EXPECT_TRUE(
+      holds(refusal(file("SPACE", "0 0 0 0\n1000 995 45 10\n", "~Inclinometry_Data[2] | Inclinometry_Definition\n0 0 0 0\n")),
+            "holds 2 surveys (~Inclinometry_Data), needed: one"));
 }
 
 TEST(SceneSurvey, ADatumThatIsNotTheRotaryTable)
