@@ -34,7 +34,7 @@ def planned():
     """The survey of ~plan; None without."""
     if not rospy.has_param("~plan"):
         return None
-    return read_survey(rospy.get_param("~plan"), rospy.get_param("~plan_columns", ""), rospy.get_param("~plan_pass_over", False))
+    return read_survey(rospy.get_param("~plan"), rospy.get_param("~plan_columns", ""), rospy.get_param("~plan_pass_over", False), plan=True)
 
 
 def in_lockstep(law, timeout):

@@ -103,7 +103,7 @@ def main(words):
     folder = options.out or os.path.splitext(options.run)[0] + "_plots"
     try:
         run = read_run(options.run, options.namespace)
-        plan = read_survey(options.plan, options.columns or "", options.pass_over) if options.plan else None
+        plan = read_survey(options.plan, options.columns or "", options.pass_over, plan=True) if options.plan else None
         page = write(pictures_of(run, plan, options.string, units), folder, run, score(run, plan), units)
         write_web_page(run, plan, options, folder, units)
     except (RunError, SurveyError, plot_well.StringError) as error:

@@ -30,7 +30,7 @@ def score(run, plan=None, bit_diameter=None, wob=None, wob_band=None, toolface=N
     Returns a dictionary of dictionaries; what cannot be told is None, and `left_out` says why. `companion`: the same of the run's companion, None
     without one: how far the two are apart says how much a score depends on the numerics."""
     run = run if isinstance(run, Run) else read_run(run, namespace)
-    plan = read_survey(plan) if isinstance(plan, str) else plan
+    plan = read_survey(plan, plan=True) if isinstance(plan, str) else plan
     asked = (plan, bit_diameter, wob, 0.1 * wob if wob is not None and wob_band is None else wob_band, toolface,
              math.radians(15.0) if toolface_band is None else toolface_band)
     scores = scores_of(run, *asked)

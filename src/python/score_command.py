@@ -111,7 +111,7 @@ def radians(angle):
 
 def plan_of(args):
     """Of the options of add_judging()."""
-    return read_survey(args.plan, args.columns or "", args.pass_over) if args.plan else None
+    return read_survey(args.plan, args.columns or "", args.pass_over, plan=True) if args.plan else None
 
 
 def scores_of(run, plan, args):

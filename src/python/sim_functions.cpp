@@ -3,6 +3,7 @@
 
 #include <pybind11/stl.h>
 
+#include <array>
 #include <map>
 #include <sstream>
 #include <stdexcept>
@@ -15,6 +16,7 @@
 #include "drill_rig_sim/math/unit_table.h"
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/rig/hoisting.h"
+#include "drill_rig_sim/scene/quality_flags.h"
 #include "drill_rig_sim/scene/read_scene.h"
 #include "drill_rig_sim/scene/survey_file.h"
 #include "drill_rig_sim/scene/write_scene.h"
@@ -63,6 +65,25 @@ py::tuple find_unit_of(const std::string& quantity, const std::string& text)
   if (!found.choices.empty()) return py::make_tuple(py::none(), text + " is ambiguous; allowed: " + found.choices);
   return py::make_tuple(py::none(), (text.empty() ? "(none)" : text) + " is not known for " + family.quantity +
                                         "; allowed: " + listed_units(family));
+}
+
+/// The sense of a column of quality flags, "" where the name is none, and what else the name says.
+py::tuple flag_name_of(const std::string& name)
+{
+  constexpr std::array<const char*, 5> senses = {"", "status", "quality", "good if true", "bad if true"};
+  const FlagName found = flag_name(name);
+  return py::make_tuple(senses[static_cast<std::size_t>(found.sense)], found.of);
+}
+
+/// What the different cells of a column called `name` say: `good`, `bad`, `derived` or `other`; whether one is good or bad, and
+/// whether they differ and which of them are bad cannot be known.
+py::tuple flag_cells_of(const std::string& name, const std::vector<std::string>& cells)
+{
+  constexpr std::array<const char*, 4> words = {"good", "bad", "derived", "other"};
+  const FlagCells found = flag_cells(flag_name(name).sense, cells);
+  std::vector<std::string> meanings;
+  for (const FlagMeaning meaning : found.meanings) meanings.emplace_back(words[static_cast<std::size_t>(meaning)]);
+  return py::make_tuple(meanings, found.known, found.unclear);
 }
 
 /// The units that the runner's commands show numbers in with --units oilfield: shown numbers in one SI unit.
@@ -129,9 +150,9 @@ std::string plain_scene(const std::string& scene_file)
 
 /// Of a survey's file, as survey_format() says, by the rules of scenes: measured depths [m], inclinations and azimuths [rad], and
 /// where the first station lies, (east, north, up) from the rotary table [m], and remarks to be reported. Throws SceneError.
-py::tuple read_survey(const std::string& file, const std::string& columns, bool pass_over)
+py::tuple read_survey(const std::string& file, const std::string& columns, bool pass_over, bool plan)
 {
-  const SurveyTable table = read_survey_file(file, survey_format(columns, pass_over));
+  const SurveyTable table = read_survey_file(file, survey_format(columns, pass_over, plan));
   std::vector<double> md, inclination, azimuth;
   for (const SurveyStation& station : table.stations)
   {
@@ -160,6 +181,8 @@ void bind_functions(py::module_& module)
   module.def("plain_scene", plain_scene);
   module.def("units", units);
   module.def("find_unit", find_unit_of);
+  module.def("flag_name", flag_name_of);
+  module.def("flag_cells", flag_cells_of);
   module.def("oilfield_units", oilfield_units);
   module.def("read_survey", read_survey);
   module.def("read_text", read_text, py::arg("file"), py::arg("longest") = longest_text);

@@ -72,17 +72,17 @@ def chord(tangent, next_tangent, dogleg, length):
     return 0.5 * length * ratio * (tangent + next_tangent)
 
 
-def read_survey(file, columns="", pass_over=False):
+def read_survey(file, columns="", pass_over=False, plan=False):
     """A survey's file, read by the same code and rules as a scene's survey (scene/survey_file.h). `columns`: a map of its columns, a YAML file with
-    the keys of a scene's well.survey; `pass_over`: stations without a value and repeated ones are passed over and reported. Raises SurveyError
-    with the first problem, as `file:LINE: column: problem`."""
+    the keys of a scene's well.survey; `pass_over`: stations without a value and repeated ones are passed over and reported; `plan`: of a file with a plan
+    beside the drilled well the plan is read. Raises SurveyError with the first problem, as `file:LINE: column: problem`."""
     try:
         from drill_rig_sim import _sim  # pylint: disable=import-outside-toplevel
         from drill_rig_sim.lockstep import Refused  # pylint: disable=import-outside-toplevel
     except ImportError as error:
         raise SurveyError("surveys are read by the Python module sim, which is not built (it needs pybind11-dev): %s" % error)
     try:
-        md, inclination, azimuth, start, remarks = _sim.read_survey(os.fspath(file), os.fspath(columns), pass_over)
+        md, inclination, azimuth, start, remarks = _sim.read_survey(os.fspath(file), os.fspath(columns), pass_over, plan)
     except Refused as refusal:
         raise SurveyError(str(refusal).splitlines()[0])
     report(remarks)

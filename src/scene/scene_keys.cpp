@@ -84,6 +84,8 @@ const Table<SurveyFormat> survey_keys = {"well.survey", "The survey's file and h
   {"delimiter",             "",       &SurveyFormat::delimiter,            none,
       "between cells: `\",\"`, `\";\"`, bar, tab or space. Decimal commas are read where the delimiter is not a comma, grouped "
       "digits where the decimal sign is certain (`1,234.5`, `1.234,5`, `1 234`)", no_kind, every_kind, "by the header"},
+  {"quality",               "",       Nested{},                            none,
+      "column that marks stations as good or bad, where its cells are no usual words such as bad or rejected"},
   {"pass_over",             "",       Flag<SurveyFormat>{&SurveyFormat::pass_over}, none,
       "true: stations without a value (empty or -999.25) and repeated stations are left out; a vertical station then needs no "
       "azimuth", no_kind, every_kind, "false"},
@@ -107,6 +109,13 @@ const Table<SurveyColumn> survey_column_keys = {"well.survey.columns.*", "A colu
   {"unit",                  "",       &SurveyColumn::unit,                 none,
       "length: such as m, ft or ftUS (US survey foot); angle: such as deg, rad or gon", no_kind, every_kind,
       "as the header says"},
+}};
+
+const Table<SurveyQuality> survey_quality_keys = {"well.survey.quality", "Stations whose cell is not one of the good ones are left "
+    "out, and reported.", {
+  {"column",                "",       &SurveyQuality::column,              none,                 "name in the header", must},
+  {"good",                  "",       &SurveyQuality::good,                none,
+      "cells of good stations, between blanks", must},
 }};
 
 const Table<TieIn> tie_in_keys = {"well.tie_in", "Position of a survey's first station below the rotary table. The hole above "

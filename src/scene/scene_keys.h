@@ -45,6 +45,7 @@ constexpr unsigned survey_of_scene = 1u, survey_of_command = 2u;
 extern const Table<SurveyFormat> survey_keys;
 extern const Table<SurveyFormat> survey_columns_keys;
 extern const Table<SurveyColumn> survey_column_keys;
+extern const Table<SurveyQuality> survey_quality_keys;
 extern const Table<TieIn> tie_in_keys;
 extern const Table<HoleSection> section_keys;
 extern const Table<FormationLayer> layer_keys;

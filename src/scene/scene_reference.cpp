@@ -68,6 +68,7 @@ std::string scene_reference()
   write(out, survey_keys);
   write(out, survey_columns_keys);
   write(out, survey_column_keys);
+  write(out, survey_quality_keys);
   write(out, tie_in_keys);
   write(out, section_keys);
   write(out, layer_keys);

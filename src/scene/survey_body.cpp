@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "drill_rig_sim/well/well_checks.h"
+#include "survey_marks.h"
 #include "survey_split.h"
 #include "survey_words.h"
 
@@ -48,9 +49,16 @@ bool has_more_cells(const Cells& cells, std::size_t header)
 class Body
 {
 public:
-  Body(const std::vector<CsvLine>& lines, const CsvTable& table, SurveyRows& survey, Problems& problems)
+  Body(const std::vector<CsvLine>& lines, const CsvTable& table, const SurveyFormat& format, SurveyRows& survey,
+       Problems& problems)
       : lines_(lines), table_(table), survey_(survey), problems_(problems), wells_(table.header.cells.size())
   {
+    for (std::size_t i = 0; i < table.header.cells.size(); ++i)
+      if (marks_stations(table.header.cells[i].text, format))
+      {
+        marks_.push_back(i);
+        survey.marks.push_back(table.header.cells[i].text);
+      }
   }
 
   void take()
@@ -148,6 +156,7 @@ private:
     SurveyRow row;
     row.line = line.number;
     for (std::size_t i = 0; i < survey_quantities; ++i) row.cells[i] = cell(cells, i);
+    for (const std::size_t place : marks_) row.marks.push_back(place < cells.size() ? cells[place] : "");
     survey_.rows.push_back(std::move(row));
     before_ = &line;
   }
@@ -181,14 +190,16 @@ private:
   const CsvTable& table_;
   SurveyRows& survey_;
   Problems& problems_;
+  std::vector<std::size_t> marks_;   // places of SurveyRows::marks
   std::vector<std::string> wells_;   // by column, where it names the well
   const CsvLine* before_ = nullptr;  // the row taken last
 };
 }  // namespace
 
-void take_rows(const std::vector<CsvLine>& lines, const CsvTable& table, SurveyRows& survey, Problems& problems)
+void take_rows(const std::vector<CsvLine>& lines, const CsvTable& table, const SurveyFormat& format, SurveyRows& survey,
+               Problems& problems)
 {
-  Body(lines, table, survey, problems).take();
+  Body(lines, table, format, survey, problems).take();
 }
 
 }  // namespace drill_rig_sim

@@ -39,7 +39,8 @@ struct CsvTable
 /// Takes the rows below a header into `survey.rows`. Texts that are followed by the same header again (the foot and the head of
 /// a page) or by no station are skipped and reported. What is wrong goes to `problems`: a row of another number of cells, a cell
 /// that is left out of aligned columns, rows of several wells.
-void take_rows(const std::vector<CsvLine>& lines, const CsvTable& table, SurveyRows& survey, Problems& problems);
+void take_rows(const std::vector<CsvLine>& lines, const CsvTable& table, const SurveyFormat& format, SurveyRows& survey,
+               Problems& problems);
 
 }  // namespace drill_rig_sim
 

@@ -14,6 +14,7 @@
 #include "survey_body.h"
 #include "survey_digits.h"
 #include "survey_header.h"
+#include "survey_marks.h"
 #include "survey_split.h"
 
 namespace drill_rig_sim
@@ -106,6 +107,25 @@ CsvTable with_line_above(CsvTable table, const std::vector<CsvLine>& lines, cons
   return table;
 }
 
+// A line that names columns twice, with the path of each by the line above it: Plan and Actual over groups of columns.
+CsvTable with_paths_above(CsvTable table, const std::vector<CsvLine>& lines, const SurveyFormat& format)
+{
+  if (table.header.wrong.empty() || table.first_row < 2 || table.delimiter.character == ' ') return table;
+  const Cells groups = split(lines[table.first_row - 2].text, table.delimiter.character);
+  Cells names = split(lines[table.first_row - 1].text, table.delimiter.character);
+  std::string group;
+  bool any = false;
+  for (std::size_t k = 0; k < names.size(); ++k)
+  {
+    if (k < groups.size() && !groups[k].empty()) group = groups[k];
+    const bool of_path = path_of_cell(group) != SurveyPath::unsaid;
+    if (of_path) names[k].insert(0, std::string(path_word(path_of_cell(group))) + " ");
+    any = any || of_path;
+  }
+  if (any) table.header = find_columns(names, format);
+  return table;
+}
+
 // The header in the first lines: the first that names all columns, else lines that do so together, else the one that names most
 // of them.
 CsvTable find_header(const std::vector<CsvLine>& lines, const SurveyFormat& format)
@@ -121,7 +141,10 @@ CsvTable find_header(const std::vector<CsvLine>& lines, const SurveyFormat& form
       if (!first && header.found <= best.header.found) continue;
       best = {i, 1, i + 1, lines[i].number, delimiter, std::move(header)};
       if (best.header.found == needed_quantities)
+      {
+        best = with_paths_above(std::move(best), lines, format);
         return best.header.place[survey_md] ? with_line_above(std::move(best), lines, format) : best;
+      }
     }
   }
   CsvTable over_lines = find_header_over_lines(lines, format);
@@ -264,12 +287,15 @@ std::string said_above(const std::string& text, int header_line, std::string (*s
 }
 
 // what the reader has to report of a header
-void add_remarks(const CsvTable& table, const std::string& text, SurveyRows& survey)
+void add_remarks(const CsvTable& table, const std::string& text, bool plan, SurveyRows& survey)
 {
   const SurveyHeader& header = table.header;
   const HeaderCell& depth = header.cells[*header.place[survey_md]];
   const HeaderCell& azimuth = header.cells[*header.place[survey_azimuth]];
   if (depth.weak) survey.remarks.push_back("\"" + shortened(depth.text) + "\" is read as measured depth");
+  if (header.path != SurveyPath::unsaid && header.path != (plan ? SurveyPath::planned : SurveyPath::actual))
+    survey.remarks.push_back("its columns are " + std::string(path_word(header.path)) + " ones: they are read as the " +
+                             (plan ? "plan" : "survey"));
   const std::string north = azimuth.north.empty() ? said_above(text, table.line, north_of_line) : azimuth.north;
   const std::string datum = said_above(text, table.line, datum_of_line);
   if (!datum.empty())
@@ -308,13 +334,14 @@ SurveyRows read_survey_csv(const std::string& text, const SurveyFormat& format, 
   if (!take_unit_line(lines, table, problems)) return survey;
   const std::string no_unit = unit_problem(header, survey_md);
   if (!no_unit.empty()) problems.add_at(table.line, survey.names[survey_md], no_unit);
-  if (problems.empty()) take_rows(lines, table, survey, problems);
+  if (problems.empty()) take_rows(lines, table, format, survey, problems);
+  if (problems.empty()) leave_out_marked(format, survey, problems);
   if (!problems.empty()) return survey;
   survey.decimal_commas = survey.decimal_commas || has_quoted_commas(survey);
   take_groups(table.delimiter.character, survey, problems);
   if (survey.decimal_commas && problems.empty()) check_points(survey, problems);
   if (survey.decimal_commas && problems.empty()) check_commas(survey, problems);
-  add_remarks(table, text, survey);
+  add_remarks(table, text, format.plan, survey);
   settle_angles(header, survey, problems, table.line);
   for (SurveyRow& row : survey.rows) row.units = header.unit;
   survey.taken = "the header was read as " + description(header) + ", delimiter " + table.delimiter.name;

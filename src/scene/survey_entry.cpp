@@ -42,6 +42,9 @@ std::map<std::string, YAML::Node> read_format(const YAML::Node& node, const std:
   auto entries = read_block(node, path, survey_keys, kind, format, problems);
   const auto columns = entries.find("columns");
   if (columns != entries.end()) read_columns(columns->second, join(path, "columns"), format, problems);
+  const auto quality = entries.find("quality");
+  if (quality != entries.end())
+    read_block(quality->second, join(path, "quality"), survey_quality_keys, every_kind, format.quality, problems);
   std::string& delimiter = format.delimiter;
   if (delimiter == "\t") delimiter = "tab";
   if (delimiter == " ") delimiter = "space";
@@ -72,10 +75,11 @@ SurveyFormat read_survey_format(const std::string& file)
   return format;
 }
 
-SurveyFormat survey_format(const std::string& columns, bool pass_over)
+SurveyFormat survey_format(const std::string& columns, bool pass_over, bool plan)
 {
   SurveyFormat format = columns.empty() ? SurveyFormat() : read_survey_format(columns);
   if (pass_over) format.pass_over = 1.0;
+  format.plan = plan;
   return format;
 }
 

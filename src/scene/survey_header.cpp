@@ -150,12 +150,41 @@ std::string find_named(const std::string& column, const std::vector<HeaderCell>&
   return "no such column in the header";
 }
 
+// the places of a quantity's columns of a path
+std::vector<std::size_t> places_of(std::size_t quantity, SurveyPath path, const std::vector<HeaderCell>& cells)
+{
+  std::vector<std::size_t> found;
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    if (cells[i].quantity == quantity && cells[i].path == path) found.push_back(i);
+  return found;
+}
+
+// The path whose angles are read: the one that is asked for where it is named, else that without a name, else the other one.
+SurveyPath path_to_read(const std::vector<HeaderCell>& cells, bool plan)
+{
+  const SurveyPath asked = plan ? SurveyPath::planned : SurveyPath::actual,
+                   other = plan ? SurveyPath::actual : SurveyPath::planned;
+  for (const SurveyPath path : {asked, SurveyPath::unsaid, other})
+    for (const std::size_t angle : {survey_inclination, survey_azimuth})
+      if (!places_of(angle, path, cells).empty()) return path;
+  return SurveyPath::unsaid;
+}
+
+// The columns of a quantity on a path; depths and a place may be of both paths and without its name.
+std::vector<std::size_t> places_on(std::size_t quantity, SurveyPath path, bool plan, const std::vector<HeaderCell>& cells)
+{
+  std::vector<std::size_t> found = places_of(quantity, path, cells);
+  if (!found.empty() || is_angle(quantity)) return found;
+  const SurveyPath asked = plan ? SurveyPath::planned : SurveyPath::actual;
+  return places_of(quantity, path == SurveyPath::unsaid ? asked : SurveyPath::unsaid, cells);
+}
+
 // the place of a quantity by the usual spellings; own names go before others, and any before "Depth"
-std::string find_usual(std::size_t quantity, const std::vector<HeaderCell>& cells, std::optional<std::size_t>& place)
+std::string find_usual(std::size_t quantity, const std::vector<std::size_t>& places, const std::vector<HeaderCell>& cells,
+                       std::optional<std::size_t>& place)
 {
   std::array<std::vector<std::size_t>, 3> ranks;
-  for (std::size_t i = 0; i < cells.size(); ++i)
-    if (cells[i].quantity == quantity) ranks[cells[i].own ? 0 : cells[i].weak ? 2 : 1].push_back(i);
+  for (const std::size_t i : places) ranks[cells[i].own ? 0 : cells[i].weak ? 2 : 1].push_back(i);
   const auto found = std::find_if(ranks.begin(), ranks.end(), [](const auto& rank) { return !rank.empty(); });
   if (found == ranks.end()) return "";
   place = found->front();
@@ -176,11 +205,12 @@ const SurveyColumn& column_of(const SurveyFormat& format, std::size_t quantity)
 }
 
 // a tie-in's column that is not clear is none: few surveys need it
-void find_column(std::size_t quantity, const SurveyColumn& asked, SurveyHeader& header)
+void find_column(std::size_t quantity, const SurveyColumn& asked, bool plan, SurveyHeader& header)
 {
   std::optional<std::size_t>& place = header.place[quantity];
-  std::string wrong =
-      asked.column.empty() ? find_usual(quantity, header.cells, place) : find_named(asked.column, header.cells, place);
+  std::string wrong = asked.column.empty()
+                          ? find_usual(quantity, places_on(quantity, header.path, plan, header.cells), header.cells, place)
+                          : find_named(asked.column, header.cells, place);
   if (place && quantity < needed_quantities) ++header.found;
   if (!wrong.empty() && quantity >= needed_quantities && asked.column.empty()) return place.reset();
   if (!wrong.empty() && header.wrong.empty())
@@ -216,6 +246,23 @@ void find_unknown_unit(std::size_t quantity, SurveyHeader& header)
                  ", or a map `columns` (" + how_to_map + ")";
 }
 
+// where a quantity has no column but of the other path than an angle's
+void find_other_path(SurveyHeader& header)
+{
+  const auto angle = header.place[survey_inclination] ? header.place[survey_inclination] : header.place[survey_azimuth];
+  for (std::size_t quantity = 0; quantity < needed_quantities && angle; ++quantity)
+  {
+    const auto of_other =
+        std::find_if(header.cells.begin(), header.cells.end(),
+                     [&](const HeaderCell& cell) { return cell.quantity == quantity && cell.path != header.path; });
+    if (header.place[quantity] || of_other == header.cells.end()) continue;
+    header.wrong_where = of_other->text;
+    header.wrong = "is not of the same path as " + quoted(header.cells[*angle].text) +
+                   ", needed: all columns of the plan or all of the drilled well, or a map `columns` (" + how_to_map + ")";
+    return;
+  }
+}
+
 std::string missing_columns(const SurveyHeader& header)
 {
   std::string missing;
@@ -230,7 +277,7 @@ HeaderCell header_cell(const std::string& text)
   HeaderCell cell;
   cell.text = text;
   Words brackets;
-  Words words = name_words(with_degree_apart(without_brackets(text, brackets)));
+  Words words = without_path(name_words(with_degree_apart(without_brackets(text, brackets))), cell.path);
   const Words outside = words;
   std::string in_brackets;
   for (const std::string& bracket : brackets)
@@ -238,7 +285,7 @@ HeaderCell header_cell(const std::string& text)
     if (length_unit(bracket) || angle_unit(bracket))
       in_brackets = bracket;
     else
-      for (const std::string& word : name_words(with_degree_apart(bracket))) words.push_back(word);
+      for (const std::string& word : without_path(name_words(with_degree_apart(bracket)), cell.path)) words.push_back(word);
   }
   cell.unit_in_brackets = in_brackets;
   match_any(words, cell);
@@ -266,12 +313,14 @@ SurveyHeader find_columns(const std::vector<std::string>& cells, const SurveyFor
 {
   SurveyHeader header;
   for (const std::string& cell : cells) header.cells.push_back(header_cell(cell));
-  for (std::size_t i = 0; i < survey_quantities; ++i) find_column(i, column_of(format, i), header);
+  header.path = path_to_read(header.cells, format.plan);
+  for (std::size_t i = 0; i < survey_quantities; ++i) find_column(i, column_of(format, i), format.plan, header);
   const std::string missing = missing_columns(header);
   if (!missing.empty() && header.wrong.empty())
   {
     header.wrong_where = missing;
     header.wrong = "no such column in the header";
+    find_other_path(header);
     for (std::size_t i = needed_quantities; i-- > 0;)
       if (!header.place[i]) find_unknown_unit(i, header);
   }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "drill_rig_sim/scene/survey_format.h"
+#include "survey_path.h"
 #include "survey_rows.h"
 #include "survey_units.h"
 
@@ -24,6 +25,7 @@ struct HeaderCell
   const UnitName* unit = nullptr;                        ///< nullptr: it names none
   std::string unit_in_brackets;                          ///< as it is written, "" without one
   std::string north;                                     ///< "true", "grid" or "magnetic" of an azimuth that says so
+  SurveyPath path = SurveyPath::unsaid;                  ///< "Plan MD", "Actual MD"
   std::optional<std::size_t> quantity_without_brackets;  ///< where what stands in brackets is no unit: MD (fathoms)
 };
 
@@ -36,9 +38,10 @@ struct SurveyHeader
   std::array<std::optional<std::size_t>, survey_quantities> place;
   std::array<const UnitName*, survey_quantities> unit{};
   std::vector<HeaderCell> cells;
-  std::string wrong;        ///< why it is no header of a survey, in one line; else empty
-  std::string wrong_where;  ///< the column of that
-  std::size_t found = 0;    ///< how many of measured depth, inclination and azimuth it names, once or more
+  SurveyPath path = SurveyPath::unsaid;  ///< of the columns of angles
+  std::string wrong;                     ///< why it is no header of a survey, in one line; else empty
+  std::string wrong_where;               ///< the column of that
+  std::size_t found = 0;                 ///< how many of measured depth, inclination and azimuth it names, once or more
 };
 
 /// Finds the columns by the format's map, else by the usual spellings.

@@ -43,12 +43,14 @@ struct SurveyRow
   int line = 0;
   std::array<std::string, survey_quantities> cells;
   std::array<const UnitName*, survey_quantities> units{};
+  std::vector<std::string> marks;  ///< cells of SurveyRows::marks
 };
 
 /// A survey as its file has it, before its cells are numbers.
 struct SurveyRows
 {
   std::array<std::string, survey_quantities> names;  ///< of the columns, for messages; empty: there is none
+  std::vector<std::string> marks;                    ///< names of columns that mark stations as good or bad, planned or drilled
   std::vector<SurveyRow> rows;
   bool decimal_commas = false;  ///< a comma in a cell is its decimal sign
   std::string taken;            ///< what the columns were taken for, for messages

@@ -11,11 +11,13 @@ namespace drill_rig_sim
 {
 namespace
 {
-constexpr double lightest_mud = 500.0;               // of a liquid [kg/m3]; lighter are gas and foam
-constexpr double ppg = 119.8264;                     // [kg/m3]
-constexpr double least_mass = 0.6, most_mass = 2.0;  // of a part, by the mass of its body: tool joints and blades add to it
-constexpr double steepest_slant = 50.0 * degree;     // slant rigs begin with up to 45 deg
-constexpr double sharpest = 30.0 * degree / 30.0;    // short-radius holes turn up to this [rad/m]
+constexpr double lightest_mud = 500.0;                     // of a liquid [kg/m3]; lighter are gas and foam
+constexpr double ppg = 119.8264;                           // [kg/m3]
+constexpr double least_mass = 0.6, most_mass = 2.0;        // of a part, by the mass of its body: tool joints and blades add to it
+constexpr double steepest_slant = 50.0 * degree;           // slant rigs begin with up to 45 deg
+constexpr double least_radians = 0.1, most_radians = 1.8;  // largest inclination of a hole that is not vertical [rad]
+constexpr std::size_t fewest_radians = 4;                  // azimuths that are no whole numbers
+constexpr double sharpest = 30.0 * degree / 30.0;          // short-radius holes turn up to this [rad/m]
 
 template <class... Values>
 std::string line(const char* form, Values... values)
@@ -50,7 +52,9 @@ std::string unlikely_mass(const PartSpec& part, std::size_t place)
 std::vector<std::string> unlikely_values(const Scene& scene, bool stations)
 {
   const std::string sharp = stations ? sharp_turn(scene.well.survey) : "";
-  std::vector<std::string> lines{unlikely_mud(scene.mud.density), sharp.empty() ? "" : "well.stations: " + sharp};
+  const std::string radians = stations ? like_radians(scene.well.survey) : "";
+  std::vector<std::string> lines{unlikely_mud(scene.mud.density), sharp.empty() ? "" : "well.stations: " + sharp,
+                                 radians.empty() ? "" : "well.stations: " + radians};
   for (std::size_t i = 0; i < scene.string.size(); ++i) lines.push_back(unlikely_mass(scene.string[i], i));
   std::vector<std::string> found;
   for (const std::string& one : lines)
@@ -73,6 +77,28 @@ std::string sharp_turn(const std::vector<SurveyStation>& survey)
                 a.md, b.md, turn * 30.0 / degree);
   }
   return text;
+}
+
+std::string like_radians(const std::vector<SurveyStation>& survey)
+{
+  double inclination = 0.0, azimuth = 0.0;
+  std::size_t fractions = 0;
+  std::vector<SurveyStation> turned = survey;  // the numbers read as radians
+  for (SurveyStation& station : turned)
+  {
+    station.inclination /= degree;
+    station.azimuth /= degree;
+    inclination = std::fmax(inclination, std::abs(station.inclination));
+    azimuth = std::fmax(azimuth, std::abs(station.azimuth));
+    const bool is_whole = std::abs(station.azimuth - std::round(station.azimuth)) < 1e-9;
+    if (station.inclination != 0.0 && !is_whole) ++fractions;
+  }
+  const bool in_range = inclination >= least_radians && inclination <= most_radians && azimuth <= 2.0 * pi + 1e-3;
+  if (!in_range || fractions < fewest_radians || !sharp_turn(turned).empty()) return "";
+  return line(
+      "inclinations up to %g and azimuths up to %g deg, at %zu stations, look like radians; is the unit right? As degrees the "
+      "hole is vertical within %g deg",
+      inclination, azimuth, survey.size(), inclination);
 }
 
 std::string flat_begin(const std::vector<SurveyStation>& survey)

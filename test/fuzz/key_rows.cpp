@@ -123,11 +123,12 @@ std::string draw_number_with_unit(const KeyRow& row, Random& random)
 
 const std::vector<KeyRow>& key_rows()
 {
-  static const std::vector<KeyRow> rows = rows_of(
-      scene_keys, well_keys, survey_keys, survey_columns_keys, survey_column_keys, tie_in_keys, section_keys, layer_keys,
-      mud_keys, part_keys, part_contact_keys, bit_bottom_keys, bit_torque_keys, rig_keys, hoisting_keys, top_drive_keys,
-      soft_torque_keys, z_torque_keys, mud_pump_keys, contact_keys, trajectory_keys, start_keys, numerics_keys, instruments_keys,
-      mwd_keys, toolface_keys, dynamics_keys, surface_keys, hook_load_keys, pressure_keys, sensor_keys, program_keys);
+  static const std::vector<KeyRow> rows =
+      rows_of(scene_keys, well_keys, survey_keys, survey_columns_keys, survey_column_keys, survey_quality_keys, tie_in_keys,
+              section_keys, layer_keys, mud_keys, part_keys, part_contact_keys, bit_bottom_keys, bit_torque_keys, rig_keys,
+              hoisting_keys, top_drive_keys, soft_torque_keys, z_torque_keys, mud_pump_keys, contact_keys, trajectory_keys,
+              start_keys, numerics_keys, instruments_keys, mwd_keys, toolface_keys, dynamics_keys, surface_keys, hook_load_keys,
+              pressure_keys, sensor_keys, program_keys);
   return rows;
 }
 

@@ -2,6 +2,7 @@
 """Logs of WITSML 2.0 and 2.1 as Tables: one for each ChannelSet, or for each Channel that holds data of its own, of JSON arrays [[index, ...], [values, ...]]."""
 import json
 
+from drill_rig_sim.field.quality import flag_name
 from drill_rig_sim.field.signals import RANKS, word
 from drill_rig_sim.field.table import RecordError, Table, shown
 
@@ -37,11 +38,11 @@ def wells_of(root):
 def table_of_set(file, group, channels, data, times):
     """The Table of one of sets_of(). NotInTime where neither its index nor one of its channels is a time."""
     indices = group.findall("{*}Index")
-    rows, places = [], []
+    rows, places, flags = [], [], flags_of(channels)
     for block in data:
-        add_rows(file, block, len(indices), len(channels), rows, places)
-    names = [text_in(one, "Mnemonic") for one in (*indices, *channels)]
-    units = [text_in(one, "Uom") or None for one in (*indices, *channels)]
+        add_rows(file, block, len(indices), len(channels), flags, rows, places)
+    names = [text_in(one, "Mnemonic") for one in (*indices, *channels)] + [name for _, _, name in flags]
+    units = [text_in(one, "Uom") or None for one in (*indices, *channels)] + [None] * len(flags)
     index, dated = index_of(indices, names, times)
     if indices and text_in(indices[0], "Direction").lower() == "decreasing" and index == 0:
         rows, places = rows[::-1], places[::-1]
@@ -66,8 +67,19 @@ def index_of(indices, names, times):
     return named[0], None
 
 
-def add_rows(file, block, indices, channels, rows, places):
-    """Rows of one element's text, and where they stand."""
+def flags_of(channels):
+    """(place among the channels, place in the array of a value, name of a column) of what marks the values of a channel as good or bad: the metadata of its points."""
+    found = []
+    for place, channel in enumerate(channels):
+        for number, one in enumerate(channel.findall("{*}PointMetadata"), 1):
+            name = "%s %s" % (text_in(channel, "Mnemonic"), text_in(one, "Name"))
+            if flag_name(text_in(one, "Name"))[0]:
+                found.append((place, number, name + (" valid" if text_in(one, "DataKind").lower() == "boolean" else "")))
+    return found
+
+
+def add_rows(file, block, indices, channels, flags, rows, places):
+    """Rows of one element's text, and where they stand; at the end of each the cells of `flags`."""
     place = "%d: data row" % block.sourceline
     if block.tag.endswith("FileUri"):
         raise RecordError("%s:%d: its data are in another file, %s; needed: data in the document" % (file, block.sourceline, (block.text or "").strip()))
@@ -79,12 +91,23 @@ def add_rows(file, block, indices, channels, rows, places):
         cells = flat(row) if isinstance(row, list) else None
         if cells is None or len(cells) != indices + channels:
             raise RecordError("%s:%s %d must be an array of %d indices and one of %d values" % (file, place, number, indices, channels))
-        rows.append(cells)
+        values = values_in(row)[indices:]
+        rows.append(cells + [attribute(values[channel], number) for channel, number, _ in flags])
         places.append("%s %d" % (place, number))
 
 
-def flat(row):
-    """Texts of a row, in one or in two arrays; None where it is not such. A value may stand in an array with its attributes."""
+def values_in(row):
+    """Of a row, in one or in two arrays. A value may stand in an array with its attributes."""
     parts = row if len(row) == 2 and all(isinstance(part, list) for part in row) else [row]
-    values = [value[0] if isinstance(value, list) and value else value for part in parts for value in part]
+    return [value for part in parts for value in part]
+
+
+def attribute(value, number):
+    """The text of an attribute of a value, "" where it has none."""
+    return str(value[number]) if isinstance(value, list) and number < len(value) and value[number] is not None else ""
+
+
+def flat(row):
+    """Texts of the values of a row, without their attributes; None where it is not such."""
+    values = [value[0] if isinstance(value, list) and value else value for value in values_in(row)]
     return None if any(isinstance(value, (list, dict)) for value in values) else ["" if value is None else str(value) for value in values]

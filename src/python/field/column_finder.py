@@ -6,6 +6,7 @@ from drill_rig_sim.field.cells import is_blank, is_number
 from drill_rig_sim.field.columns import Column
 from drill_rig_sim.field.dates import EARLIEST, fitting, form_said, is_time_of_day, joined, seconds_of
 from drill_rig_sim.field.heading import Wanted
+from drill_rig_sim.field.quality import flags_in
 from drill_rig_sim.field.signals import NAMES, OWN, known, si_unit, word
 from drill_rig_sim.field.table import RecordError, bare, shown
 from drill_rig_sim.field.units import DATE, is_unit
@@ -15,6 +16,8 @@ ZONES = ("tz", "timezone", "utcoffset", "gmtoffset", "zone")  # columns of time 
 DATES, TIMES_OF_DAY = ("date", "yyyymmdd", "ddmmyyyy", "mmddyyyy", "datum", "fecha"), ("time", "hhmmss", "timeofday", "clock", "zeit", "uhrzeit", "hora")
 DEPTHS, VERTICAL = ("bit_depth", "hole_depth"), {"tvd", "tvdss", "vert", "vertical"}  # `Hole Depth (TVD)`, `Depth Bit (vert)`
 EXTREMES = {"max", "min", "maximum", "minimum"}  # `Hookload (max)`
+# what no gauge has measured: `Flow In (set point)`, `Hook Load (model)`
+NOT_MEASURED = set("set setpoint sp target plan planned model modelled modeled simulated predicted expected theoretical calculated limit alarm".split())
 MOST_SHOWN = 12  # names of columns in a line
 TRUTH = {"time", "hook_load", "bit_torque", "bit_up"}  # names that drill run --csv writes and no rig
 
@@ -34,14 +37,14 @@ class OfTheTrade(Wanted):
 
     def places(self, names):
         own = [place for place, name in enumerate(names) if name in OWN.values()]
-        return own + zones_in(names) + [place for half in halves(names) for place in half] + [place for places in named(names).values() for place in places]
+        return own + zones_in(names) + flags_in(names) + [place for half in halves(names) for place in half] + [place for places in named(names).values() for place in places]
 
 
 class ByMap(OfTheTrade):
     """The names of a ColumnMap, and beside them those of the trade."""
 
     def __init__(self, columns):
-        self.names = {name.strip().lower() for column in columns.columns.values() for name in column.names}
+        self.names = {name.strip().lower() for column in columns.columns.values() for name in column.names} | {name.strip().lower() for name in columns.quality}
 
     def count(self, names):
         found = len(self.names & {form for name in names for form in forms_of(name)})
@@ -70,9 +73,10 @@ class AllOf(Wanted):
 
 
 def named(names):
-    """Signal -> places of the columns with one of its names, the best first. A vertical depth is none of a string; extremes of a row's interval come last."""
+    """Signal -> places of the columns with one of its names, the best first. A vertical depth is none of a string, a set point none of a gauge; extremes of a row's
+    interval come last."""
     words = [set(re.findall("[a-z]+", name.lower())) for name in names]
-    found = {signal: [place for place in places if not (signal in DEPTHS and words[place] & VERTICAL)] for signal, places in known([bare(name) for name in names]).items()}
+    found = {signal: [place for place in places if not (signal in DEPTHS and words[place] & VERTICAL or words[place] & NOT_MEASURED)] for signal, places in known([bare(name) for name in names]).items()}
     return {signal: sorted(places, key=lambda place: bool(words[place] & EXTREMES)) for signal, places in found.items() if places}
 
 

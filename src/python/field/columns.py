@@ -9,6 +9,7 @@ from drill_rig_sim.field.units import DATE, UnitError, factor_of
 DELIMITERS = {"comma": ",", "semicolon": ";", "tab": "\t", "bar": "|", "blank": BLANK, ",": ",", ";": ";", "\t": "\t", "|": "|"}
 DECIMALS = {"point": ".", "comma": ",", ".": ".", ",": ","}
 LAYOUT_KEYS = ("null", "delimiter", "decimal")
+QUALITY = "quality"  # the key of columns that mark values as good or bad
 
 
 class Column:
@@ -20,19 +21,20 @@ class Column:
 
 
 class ColumnMap:
-    """`columns` by signal; `nulls`: values that stand for no number; `layout` of a delimited file."""
+    """`columns` by signal; `nulls`: values that stand for no number; `layout` of a delimited file; `quality`: of columns that mark values as good or bad the good cells,
+    in small letters."""
 
-    def __init__(self, columns, nulls=(), layout=Layout()):
-        self.columns, self.nulls, self.layout = columns, tuple(nulls), layout
+    def __init__(self, columns, nulls=(), layout=Layout(), quality=None):
+        self.columns, self.nulls, self.layout, self.quality = columns, tuple(nulls), layout, quality or {}
 
 
 def read_map(file):
     """A ColumnMap of a file with lines as `hook_load: {column: HL, unit: klbf}`. RecordError with the first problem."""
     try:
-        entries = plan_of(file).mapping((*SIGNALS, *LAYOUT_KEYS))
+        entries = plan_of(file).mapping((*SIGNALS, *LAYOUT_KEYS, QUALITY))
         columns = {signal: column_of(signal, entries[signal]) for signal in SIGNALS if signal in entries}
         check_apart(columns, entries)
-        return ColumnMap(columns, *nulls_and_layout(entries))
+        return ColumnMap(columns, *nulls_and_layout(entries), quality_of(entries))
     except PlanError as error:
         raise RecordError(str(error))
 
@@ -52,6 +54,18 @@ def nulls_and_layout(entries):
     delimiter = DELIMITERS[entries["delimiter"].choice(tuple(DELIMITERS))] if "delimiter" in entries else None
     decimal = DECIMALS[entries["decimal"].choice(tuple(DECIMALS))] if "decimal" in entries else None
     return nulls_of(entries), Layout(delimiter, decimal)
+
+
+def quality_of(entries):
+    """Good cells by the name of a column: `quality: {column: QC, good: [1, OK]}`, or a list of these."""
+    if QUALITY not in entries:
+        return {}
+    found = {}
+    for item in entries[QUALITY].sequence() if entries[QUALITY].is_sequence() else [entries[QUALITY]]:
+        parts = item.mapping(("column", "good"), needed=("column", "good"))
+        cells = parts["good"].sequence() if parts["good"].is_sequence() else [parts["good"]]
+        found[name_in(parts["column"].text())] = [cell.text().strip().lower() for cell in cells]
+    return found
 
 
 def nulls_of(entries):

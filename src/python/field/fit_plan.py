@@ -5,9 +5,10 @@ import os
 import numpy
 from drill_rig_sim.campaign.plan_text import PlanError, plan_of
 from drill_rig_sim.campaign.scene_text import SceneText, SceneTextError, Times
-from drill_rig_sim.field.columns import LAYOUT_KEYS, Column, check_unit, nulls_and_layout, nulls_of
+from drill_rig_sim.field.columns import LAYOUT_KEYS, QUALITY, Column, check_unit, nulls_and_layout, nulls_of, quality_of
 from drill_rig_sim.field.fit import Parameter
 from drill_rig_sim.field.models import MOTIONS, ModelError, Period, RecordModel, TableModel, scene_and_survey
+from drill_rig_sim.field.quality import take_flags
 from drill_rig_sim.field.record import COMPARED, RecordError, prefixed, read_record, read_table
 from drill_rig_sim.field.signal_reader import values_of
 from drill_rig_sim.field.start import FROM
@@ -115,7 +116,7 @@ def parameter_of(item, scene):
 def weights_of(entry, base):
     """Depths, weights, remarks and errors_of(): `table: {file: F, depth: {column, unit}, pick_up: {column, unit}, ...}`; a unit may stand in the file instead. Without columns those that have
     these names; the torque, of which a few numbers say little, only where it is named."""
-    parts = entry.mapping(("file", "depth", *MOTIONS, *LAYOUT_KEYS), needed=("file",))
+    parts = entry.mapping(("file", "depth", *MOTIONS, *LAYOUT_KEYS, QUALITY), needed=("file",))
     columns = {name: weight_column(parts[name], name) for name in ("depth", *MOTIONS) if name in parts}
     nulls, layout = nulls_and_layout(parts)
     table = read_table(os.path.join(base, parts["file"].text()), layout, [column.names[0] for column in columns.values()])
@@ -123,6 +124,7 @@ def weights_of(entry, base):
     if "depth" not in columns or len(columns) < 2:
         entry.fail("needs depth and one or more of %s; columns of %s: %s" % (", ".join(MOTIONS), table.file, table.header()))
     remarks = list(table.remarks)
+    take_flags(table, columns, quality_of(parts), remarks)
     found = {name: values_of(table, quantity_of(name), column, nulls, True, remarks) for name, column in columns.items()}
     depths = found.pop("depth")
     if not len(depths):

@@ -17,7 +17,10 @@ from drill_rig_sim.field.witsml import read_witsml
 MOST_DAYS = 400.0  # that a record may last
 COMPARED = ("hook_load", "torque", "stand_pipe_pressure")  # with what is simulated; the others are played
 BELOW_BOTTOM = 1.0  # from which on a bit below the hole's bottom is reported [m]
-LEAST_LOAD, HIGHEST_BLOCK = 5e3, 65.0  # of a rig [N], [m]; others are reported
+LEAST_LOAD, HIGHEST_BLOCK, LONGEST_WAY = 5e3, 65.0, 55.0  # of a rig [N], of its block and of that's way [m]; others are reported
+LEAST_PIPE, LEAST_CONNECTIONS = 5.0, 2  # of pipe that is added or taken away at a time [m]
+IN_FEET = ((29.8, 34.0), (45.0, 130.0))  # lengths of joints and stands in feet that none of them has in metres: 30 to 33, and above 45
+STANDS = 0.01  # by which the bit may move from row to row while pipe is added [m]
 LEAST_PRESSURE, LEAST_FLOW = 2e4, 3e-3  # of a stand pipe while the pump runs [Pa], [m3/s]
 SPACINGS = (1e-3, 120.0)  # of a record's rows [s]; others are reported
 LONG_GAP, SHORTEST_GAP = 10.0, 5.0  # of rows' distance, and s, from which on a gap is reported
@@ -184,10 +187,26 @@ def unlikely(record):
     def largest(signal):
         values = record.signals.get(signal, numpy.zeros(0))
         return numpy.nanmax(numpy.abs(values)) if numpy.isfinite(values).any() else numpy.nan
-    return ["%s: its largest value is %.3g %s, %s; is its unit right?" % (signal, largest(signal), si_unit(signal), why) for signal, so, why in (
+    height = record.signals.get("block_height", numpy.zeros(0))
+    way = numpy.nanmax(height) - numpy.nanmin(height) if numpy.isfinite(height).any() else 0.0
+    high = ["block_height: it moves over %.3g m, farther than blocks do; is its unit right?" % way] if LONGEST_WAY < way and largest("block_height") <= HIGHEST_BLOCK else []
+    return high + pipe_in_feet(record) + ["%s: its largest value is %.3g %s, %s; is its unit right?" % (signal, largest(signal), si_unit(signal), why) for signal, so, why in (
         ("hook_load", largest("hook_load") < LEAST_LOAD, "less than a block weighs"),
         ("block_height", largest("block_height") > HIGHEST_BLOCK, "higher than masts are"),
         ("stand_pipe_pressure", largest("stand_pipe_pressure") < LEAST_PRESSURE and largest("flow") > LEAST_FLOW, "while the pump runs")) if so]
+
+
+def pipe_in_feet(record):
+    """A line where the pipe that is added or taken away has a length that joints and stands have in feet and not in metres."""
+    if "bit_depth" not in record or "block_height" not in record:
+        return []
+    bit, block = (numpy.diff(record.at(signal, record.time)) for signal in ("bit_depth", "block_height"))
+    runs = numpy.flatnonzero(numpy.diff(numpy.concatenate(([True], numpy.abs(bit) > STANDS, [True]))))  # the bit stands between each second pair
+    lengths = numpy.array([abs(block[begin:end].sum()) for begin, end in zip(runs[::2], runs[1::2])])
+    lengths = lengths[lengths > LEAST_PIPE]
+    usual = float(numpy.median(lengths)) if len(lengths) >= LEAST_CONNECTIONS else 0.0
+    return ["block_height: %d times about %.3g m of pipe are added or taken away; joints and stands have 8 to 29 m or 35 to 43 m; is its unit ft?" %
+            (len(lengths), usual)] if any(low < usual < high for low, high in IN_FEET) else []
 
 
 def bridged(time, good):
@@ -226,7 +245,8 @@ def of_table(mapping, table, tables):
         return all(map(one.places_of, column.names))
     columns = {signal: column for signal, column in mapping.columns.items()
                if signal == "time" or is_in(table, column) or not any(is_in(other, column) for other in tables)}
-    return ColumnMap(columns, mapping.nulls, mapping.layout)
+    quality = {name: good for name, good in mapping.quality.items() if table.places_of(name) or not any(other.places_of(name) for other in tables)}
+    return ColumnMap(columns, mapping.nulls, mapping.layout, quality)
 
 
 def tables_of(file, mapping):

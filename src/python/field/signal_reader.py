@@ -5,6 +5,7 @@ from drill_rig_sim.field.cell_units import take_units
 from drill_rig_sim.field.cells import is_blank, is_foreign_number, is_number
 from drill_rig_sim.field.column_finder import columns_of, form_of_header, zones_in
 from drill_rig_sim.field.dates import elapsed_of, fitting, form_in, forms_for, joined, number_as_time, offset_of, own_offset, seconds_of, zone_said
+from drill_rig_sim.field.quality import take_flags
 from drill_rig_sim.field.signals import SIGNALS, word
 from drill_rig_sim.field.table import RecordError
 from drill_rig_sim.field.units import UnitError, factor_of, is_unit
@@ -37,6 +38,7 @@ def part_of(table, columns=None):
     wanted = columns_of(table, mapped, remarks)
     if "time" not in wanted:
         raise RecordError("%s: no column is recognised as the time; columns: %s; needed: a map, --columns" % (table.file, table.header()))
+    take_flags(table, wanted, columns.quality if columns else {}, remarks)
     signals = {}
     time, dated, zoned, offset = times_of(table, wanted["time"], "time" in mapped, remarks)
     for signal, column in wanted.items():

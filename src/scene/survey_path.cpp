@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "survey_path.h"
+
+#include <set>
+
+namespace drill_rig_sim
+{
+namespace
+{
+SurveyPath path_of_word(const std::string& word)
+{
+  static const std::set<std::string> planned = {"plan", "planned", "proposal", "proposed", "wellplan", "wellplanned"},
+                                     actual = {"actual", "actuals", "act", "asdrilled", "drilled"};
+  return planned.count(word) > 0 ? SurveyPath::planned : actual.count(word) > 0 ? SurveyPath::actual : SurveyPath::unsaid;
+}
+}  // namespace
+
+Words without_path(const Words& words, SurveyPath& path)
+{
+  Words rest;
+  for (std::size_t i = 0; i < words.size(); ++i)
+  {
+    const SurveyPath said = path_of_word(words[i]);
+    const bool as_drilled = words[i] == "as" && i + 1 < words.size() && words[i + 1] == "drilled";
+    if (said != SurveyPath::unsaid) path = said;
+    if (said == SurveyPath::unsaid && !as_drilled) rest.push_back(words[i]);
+  }
+  return rest;
+}
+
+SurveyPath path_of_cell(const std::string& cell)
+{
+  SurveyPath path = SurveyPath::unsaid;
+  for (const std::string& word : without_path(name_words(cell), path))
+    if (word != "well" && word != "survey" && word != "path" && word != "trajectory" && word != "data") return SurveyPath::unsaid;
+  return path;
+}
+
+const char* path_word(SurveyPath path)
+{
+  return path == SurveyPath::planned ? "planned" : "actual";
+}
+
+}  // namespace drill_rig_sim

@@ -1,0 +1,146 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Records with columns that mark values as good or bad, with set points beside readings, and with a block in feet under a heading of metres. See test_record.py."""
+import unittest
+
+import numpy
+from drill_rig_sim.field.fit_plan import weights_of
+from drill_rig_sim.campaign.plan_text import plan_of
+from record_folder import FEET, KLBF, ROWS, Folder
+
+HEAD = "Time (s),Hook Load (klbf),Block Height (ft)"
+
+
+def table(name, cells, wrong=999.0):
+    """ROWS with a column of flags; a row more, whose hook load is wrong, carries the last cell."""
+    lines = [*((*row, cell) for row, cell in zip(ROWS, cells)), (20, wrong, 27.0, cells[-1])]
+    return HEAD + "," + name + "\n" + "".join("%g,%g,%g,%s\n" % line for line in lines)
+
+
+class Rows(Folder):
+    def test_what_is_marked_bad_is_left_out(self):
+        for name, good, bad in (("Status", "GOOD", "BAD"), ("Quality", "good", "questionable"), ("QC", "", "BAD"), ("QC", "1", "999"), ("QC", "0", "-999.25"), ("QC Flag", "P", "F"),
+                                ("Data Quality", "192", "24"), ("Valid", "1", "0"), ("Bad Data", "false", "true"), ("Comments", "drilling ahead", "bad data"), ("QC (code)", "ok", "suspect")):
+            with self.subTest(name, good=good, bad=bad):
+                record = self.read(table(name, [good] * 4 + [bad]))
+                self.right(record)
+                self.assertIn("1 of 5 rows are marked %s by %s and are left out (first: " % (bad, name), "\n".join(record.remarks))
+                self.assertIn("r.csv:6)", "\n".join(record.remarks))
+
+    def test_what_is_none(self):
+        """What the rig does, a measure, the same everywhere, a flag of another thing."""
+        for name, cells in (("Status", ["Drilling", "In slips", "Drilling", "Tripping"]), ("Rig Status", list("1234")), ("QC", ["ok"] * 4), ("QC", ["0"] * 4), ("Slips Status", list("0110")),
+                            ("Signal Quality (%)", ["91.5", "92", "93", "94"]), ("QC Date", list("1212")), ("Comments", ["", "bad weather", "", "wait"])):
+            with self.subTest(name, cells=cells):
+                record = self.read(table(name, [*cells, cells[-1]], wrong=204.0))
+                self.assertEqual(5, len(record.time))
+                self.assertNotIn("marked", "\n".join(record.remarks))
+
+    def test_neither_good_nor_bad(self):
+        record = self.read(table("Quality", ["good", "good", "interpolated", "good", "bad"]))
+        self.assertIn("1 of 5 rows are marked interpolated by Quality and are used", "\n".join(record.remarks))
+
+    def test_unclear(self):
+        self.refused(["r.csv: QC holds 0 and 1: which of them mark bad values is not known", "quality: {column: QC, good: 0}"], table("QC", list("00001")))
+        self.refused("Quality holds A and B", table("Quality", list("AAAAB")))
+        self.refused("all rows are marked bad by QC", table("QC", ["bad"] * 5))
+        self.assertIn("Status holds 0 and 1: which of them mark bad values is not known", "\n".join(self.read(table("Status", list("00001"))).remarks))
+
+    def test_map(self):
+        """Numbers and words, as the map says; one list for several columns."""
+        times = "time: {column: Time, unit: s}\n"
+        self.right(self.read(table("QC", list("00001")), times + "quality: {column: QC, good: 0}\n"))
+        self.right(self.read(table("X7", ["fine", "A", "fine", "A", "B"]), times + "quality: [{column: X7, good: [fine, A]}]\n"))
+        self.right(self.read(table("QC", ["1", "2", "1.0", "2", "3"]), times + "quality: {column: QC, good: [1, 2]}\n"))
+        self.refused("needs good", table("QC", list("00001")), times + "quality: {column: QC}\n")
+        self.refused("there is no column QQ", table("QC", list("00001")), times + "quality: {column: QQ, good: 0}\n")
+
+
+class Columns(Folder):
+    def test_of_a_signal(self):
+        for flags in ("HKLD_QC", "Hook Load Quality", "QC Hook Load", "HookLoadStatus", "hook load valid"):
+            good, bad = ("1", "0") if "valid" in flags else ("good", "bad")
+            record = self.read("Time (s),Hook Load (klbf),%s,Block Height (ft)\n" % flags + "".join("%g,%g,%s,%g\n" % (time, load if k != 2 else 5.0, bad if k == 2 else good, block)
+                                                                                                for k, (time, load, block) in enumerate(ROWS)))
+            numpy.testing.assert_allclose(record.signals["block_height"], [FEET * row[2] for row in ROWS])
+            self.assertTrue(numpy.isnan(record.signals["hook_load"][2]), flags)
+            numpy.testing.assert_allclose(record.signals["hook_load"][[0, 1, 3]], [KLBF * ROWS[k][1] for k in (0, 1, 3)])
+            self.assertIn("hook_load: 1 of 4 values are marked bad by" if bad == "bad" else "hook_load: 1 of 4 values are marked 0 by", "\n".join(record.remarks))
+
+    def test_behind_each_column(self):
+        """Several columns called alike: each is of the column before it."""
+        record = self.read("Time (s),Hook Load (klbf),QC,Block Height (ft),QC,Gas,QC\n" + "".join(
+            "%g,%g,%s,%g,%s,1,bad\n" % (*row[:2], "bad" if k == 1 else "ok", row[2], "bad" if k == 2 else "ok") for k, row in enumerate(ROWS)))
+        self.assertEqual([False, True, False, False], list(numpy.isnan(record.signals["hook_load"])))
+        self.assertEqual([False, False, True, False], list(numpy.isnan(record.signals["block_height"])))
+
+    def test_las(self):
+        lines = "".join("%g %g %g %s\n" % (*row, "G") for row in ROWS) + "20 5 27 B\n"
+        text = "~V\nVERS. 2.0 :\nWRAP. NO :\n~W\nSTRT.S 0 :\nNULL. -999.25 :\n~C\nTIME.S :\nHKLD.KLBF :\nBPOS.FT :\nQC. : quality\n~A\n"
+        self.right(self.read(text + lines, name="r.las"), ["1 of 5 rows are marked B by QC and are left out"])
+
+    def test_witsml(self):
+        text = ('<logs xmlns="http://www.witsml.org/schemas/1series" version="1.4.1.1"><log><nameWell>a</nameWell><indexType>date time</indexType><indexCurve>TIME</indexCurve>'
+                "<logData><mnemonicList>TIME,HKLD,BPOS,HKLD_QC</mnemonicList><unitList>s,klbf,ft,unitless</unitList>%s</logData></log></logs>")
+        data = "".join("<data>2024-05-01T10:00:%02dZ,%g,%g,%d</data>" % (*row, 192 if k else 0) for k, row in enumerate(ROWS))
+        record = self.read(text % data, name="r.xml")
+        self.assertEqual([True, False, False, False], list(numpy.isnan(record.signals["hook_load"])))
+
+    def test_witsml_2(self):
+        """A value with its quality, as the channel's metadata of points say."""
+        channel = ('<Channel><Mnemonic>%s</Mnemonic><Uom>%s</Uom>%s</Channel>')
+        quality = "<PointMetadata><Name>Quality</Name><DataKind>boolean</DataKind></PointMetadata>"
+        rows = ",".join('[["2024-05-01T10:00:%02dZ"],[[%g,%s],%g]]' % (time, load, "false" if k == 3 else "true", block) for k, (time, load, block) in enumerate(ROWS))
+        text = ('<Log xmlns="http://www.energistics.org/energyml/data/witsmlv2"><ChannelSet><Index><IndexType>date time</IndexType><Mnemonic>TIME</Mnemonic></Index>'
+                + channel % ("HKLD", "klbf", quality) + channel % ("BPOS", "ft", "") + "<Data><Data>[%s]</Data></Data></ChannelSet></Log>" % rows)
+        record = self.read(text, name="r.xml")
+        self.assertEqual([False, False, False, True], list(numpy.isnan(record.signals["hook_load"])))
+        numpy.testing.assert_allclose(record.signals["block_height"], [FEET * row[2] for row in ROWS])
+
+
+class Weights(Folder):
+    def test_marked_rows_are_left_out(self):
+        text = "depth (ft),pick_up (klbf),slack_off (klbf),Status\n3000,100,90,ok\n3500,300,250,BAD\n4000,120,100,ok\n"
+        self.file("w.csv", text)
+        entry = plan_of(self.file("fit.yaml", "table: {file: w.csv}\n")).mapping(("table",))["table"]
+        depths, found, remarks, _ = weights_of(entry, self.folder)
+        numpy.testing.assert_allclose(depths, [3000 * FEET, 4000 * FEET])
+        numpy.testing.assert_allclose(found["pick_up"], [100 * KLBF, 120 * KLBF])
+        self.assertIn("marked BAD by Status", "\n".join(remarks))
+
+
+class NotMeasured(Folder):
+    def test_set_points_are_no_readings(self):
+        """`Hook Load (set point)` beside the gauge, and alone."""
+        for words in ("set point", "target", "planned", "model", "SP", "alarm"):
+            head = "Time (s),Hook Load (%s) (klbf),Hook Load (klbf),Block Height (ft)\n" % words
+            self.right(self.read(head + "".join("%g,77,%g,%g\n" % row for row in ROWS)))
+            record = self.read("Time (s),Hook Load (%s) (klbf),Block Height (ft)\n" % words + "".join("%g,77,%g\n" % (row[0], row[2]) for row in ROWS))
+            self.assertNotIn("hook_load", record)
+
+
+class Feet(Folder):
+    def rig(self, pipe, unit, connections=4):
+        """A trip in with pipe of a length [m], its lengths written in one unit and called metres."""
+        rows, time, bit, block = [], 0.0, 1000.0, 2.0 + pipe
+        for _ in range(connections):
+            for step in range(11):
+                rows.append((time, 200.0, (block - pipe * step / 10) / unit, (bit + pipe * step / 10) / unit))
+                time += 10.0
+            bit += pipe
+            for step in range(1, 6):
+                rows.append((time, 20.0, (block - pipe * (1 - step / 5)) / unit, bit / unit))
+                time += 10.0
+        return "Time (s),Hook Load (klbf),Block Height (m),Bit Depth (m)\n" + "".join("%g,%g,%.3f,%.3f\n" % row for row in rows)
+
+    def test_pipe(self):
+        for pipe, unit, said in ((28.5, 1.0, None), (28.5, FEET, "farther than blocks do|higher than masts"), (9.45, 1.0, None), (9.45, FEET, "is its unit ft?"), (13.4, 1.0, None),
+                                 (18.9, 1.0, None), (18.9, FEET, "is its unit ft?"), (38.1, 1.0, None)):
+            with self.subTest(pipe, unit=unit):
+                found = "\n".join(self.read(self.rig(pipe, unit)).remarks)
+                self.assertEqual(said is not None, "is its unit" in found, found)
+                self.assertTrue(said is None or any(part in found for part in said.split("|")), found)
+
+
+if __name__ == "__main__":
+    unittest.main()

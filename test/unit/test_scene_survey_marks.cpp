@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Surveys whose tables mark stations as bad, or hold a plan beside the drilled well; numbers like those of another unit.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+#include "survey_reading.h"
+
+namespace drill_rig_sim::test_scene_survey_marks
+{
+using namespace survey_reading;
+
+namespace
+{
+const std::string head = "MD (m),Inc (deg),Azi (deg)";
+
+std::string all_remarks(const SurveyTable& table)
+{
+  std::string text;
+  for (const std::string& remark : table.remarks) text += remark + "\n";
+  return text;
+}
+
+SurveyFormat of_plan()
+{
+  SurveyFormat format;
+  format.plan = true;
+  return format;
+}
+
+// Three stations, of which the second one is marked.
+std::string marked(const std::string& name, const std::string& good, const std::string& bad)
+{
+  return head + "," + name + "\n0,0,0," + good + "\n500,80,45," + bad + "\n1000,10,45," + good + "\n";
+}
+}  // namespace
+
+TEST(SurveyMarks, BadStationsAreLeftOut)
+{
+  for (const std::string& text :
+       {marked("Status", "Definitive", "BAD"), marked("Status", "", "REJECTED"), marked("QC", "Pass", "Fail"),
+        marked("QC", "P", "F"), marked("Survey Status", "ok", "Suspect"), marked("Data Quality", "good", "questionable"),
+        marked("QC", "1", "999"), marked("Accepted", "Y", "N"), marked("Valid", "1", "0"), marked("Rejected", "false", "true"),
+        marked("Inc QC", "good", "bad"), marked("Comments", "MWD", "BAD SURVEY"), marked("Comment", "", "do not use"),
+        marked("OPC Quality", "192", "0")})
+  {
+    const SurveyTable table = read(text);
+    ASSERT_EQ(2u, table.stations.size()) << text;
+    expect_station(table.stations[1], 1000.0, 10.0, 45.0);
+    ASSERT_EQ(1u, table.remarks.size()) << all_remarks(table);
+    EXPECT_TRUE(holds(table.remarks[0], "1 station marked \"")) << table.remarks[0];
+    EXPECT_TRUE(holds(table.remarks[0], " was left out (line 3)")) << table.remarks[0];
+  }
+}
+
+TEST(SurveyMarks, OthersAreUsed)
+{
+  for (const std::string& text :
+       {marked("Status", "Definitive", "Interpolated"), marked("Status", "Definitive", "Projected"),
+        marked("Comment", "Tie-in", "KOP"), marked("Tool", "MWD", "bad"), marked("QC", "ok", "ok"), marked("Type", "MWD", "Gyro"),
+        marked("QC Date", "1", "0"), marked("Signal Quality", "91", "87")})
+  {
+    const SurveyTable table = read(text);
+    EXPECT_EQ(3u, table.stations.size()) << text;
+  }
+  EXPECT_TRUE(holds(read(marked("QC", "ok", "B-7")).remarks.at(0), "1 station marked \"B-7\" by \"QC\" is used (line 3)"));
+}
+
+TEST(SurveyMarks, UnclearOnes)
+{
+  EXPECT_TRUE(
+      holds(refusal(marked("QC", "0", "1")), ":2: QC: holds \"0\" and \"1\": which of them mark bad stations is not known"));
+  EXPECT_TRUE(holds(refusal(marked("Quality", "A", "B")), "Quality: holds \"A\" and \"B\""));
+  EXPECT_TRUE(holds(read(marked("Status", "0", "1")).remarks.at(0), "\"Status\" holds \"0\" and \"1\""));
+  EXPECT_TRUE(holds(refusal(marked("QC", "bad", "BAD")), "QC: marks all stations as bad"));
+  SurveyFormat format;
+  format.quality = {"QC", "0 2"};
+  EXPECT_EQ(2u, read(marked("QC", "0", "1"), format).stations.size());
+  EXPECT_EQ(3u, read(marked("QC", "0", "2"), format).stations.size());
+}
+
+TEST(SurveyMarks, PlanBesideActual)
+{
+  const std::string columns =
+      "Plan MD (m),Plan Inc (deg),Plan Azi (deg),Actual MD (m),Actual Inc (deg),Actual Azi "
+      "(deg)\n0,0,0,0,0,0\n500,10,45,510,11,46\n";
+  const std::string groups =
+      "Planned,,,Actual,,\nMD (m),Inc (deg),Azi (deg),MD (m),Inc (deg),Azi (deg)\n0,0,0,0,0,0\n"
+      "500,10,45,510,11,46\n";
+  const std::string brackets =
+      "MD (plan) (m),Inc (plan) (deg),Azi (plan) (deg),MD (actual) (m),Inc (actual) (deg),"
+      "Azi (actual) (deg)\n0,0,0,0,0,0\n500,10,45,510,11,46\n";
+  for (const std::string& text : {columns, groups, brackets})
+  {
+    expect_station(read(text).stations.at(1), 510.0, 11.0, 46.0);
+    expect_station(read(text, of_plan()).stations.at(1), 500.0, 10.0, 45.0);
+  }
+  const std::string one_depth = "MD (m),Planned Inc (deg),Planned Azi (deg),Inc (deg),Azi (deg)\n0,0,0,0,0\n500,10,45,11,46\n";
+  expect_station(read(one_depth).stations.at(1), 500.0, 11.0, 46.0);
+  expect_station(read(one_depth, of_plan()).stations.at(1), 500.0, 10.0, 45.0);
+}
+
+TEST(SurveyMarks, PartsOfAPlan)
+{
+  EXPECT_TRUE(holds(refusal("Plan MD (m),Inc (deg),Azi (deg)\n0,0,0\n500,10,45\n"),
+                    "Plan MD (m): is not of the same path as \"Inc (deg)\""));
+  EXPECT_TRUE(holds(refusal("MD (m),Inc (deg),Azi (deg),Plan Inc (deg)\n0,0,0,0\n500,10,45,9\n", of_plan()),
+                    "Azi (deg): is not of the same path as \"Plan Inc (deg)\""));
+  const std::string plan = "Plan MD (m),Plan Inc (deg),Plan Azi (deg)\n0,0,0\n500,10,45\n";
+  EXPECT_TRUE(holds(read(plan).remarks.at(0), "its columns are planned ones: they are read as the survey"));
+  EXPECT_TRUE(read(plan, of_plan()).remarks.empty());
+}
+
+TEST(SurveyMarks, RowsOfAPlan)
+{
+  const std::string text = head + ",Type\n0,0,0,Actual\n500,10,45,Actual\n600,12,45,Plan\n700,14,45,Plan\n";
+  const SurveyTable survey = read(text);
+  EXPECT_EQ(2u, survey.stations.size());
+  EXPECT_TRUE(holds(survey.remarks.at(0),
+                    "2 stations marked \"Plan\" by \"Type\" were left out: it is read as a survey of the drilled well alone"));
+  EXPECT_EQ(4u, read(head + ",Type\n0,0,0,Plan\n500,10,45,Plan\n600,12,45,Plan\n700,14,45,Plan\n").stations.size());
+}
+
+// A build of 3 deg/30 m to 87 deg in azimuths around 217 deg, its angles in radians under a heading of degrees.
+TEST(SurveyMarks, RadiansUnderDegrees)
+{
+  const auto survey = [](double unit, double inclination, double turn)
+  {
+    std::string text = head + "\n";
+    for (int i = 0; i < 30; ++i)
+    {
+      char row[80];
+      std::snprintf(row, sizeof row, "%d,%.4f,%.4f\n", 30 * i, inclination * i * unit, std::fmod(217.3 + turn * i, 360.0) * unit);
+      text += row;
+    }
+    return text;
+  };
+  EXPECT_TRUE(holds(all_remarks(read(survey(degree, 3.0, 0.37))), "look like radians; is the unit right?"));
+  EXPECT_TRUE(read(survey(1.0, 3.0, 0.37)).remarks.empty());
+  EXPECT_TRUE(read(survey(1.0, 0.05, 47.3)).remarks.empty()) << "vertical, azimuths all the way round";
+  std::string vertical = head + "\n", north = vertical;
+  for (int i = 0; i < 30; ++i)
+  {
+    vertical += std::to_string(30 * i) + ",0,0\n";
+    north += std::to_string(30 * i) + "," + std::to_string(0.04 * i) + ",0\n";
+  }
+  EXPECT_TRUE(read(vertical).remarks.empty());
+  EXPECT_TRUE(read(north).remarks.empty());
+}
+}  // namespace drill_rig_sim::test_scene_survey_marks
