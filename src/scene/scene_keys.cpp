@@ -111,8 +111,8 @@ const Table<SurveyColumn> survey_column_keys = {"well.survey.columns.*", "A colu
       "as the header says"},
 }};
 
-const Table<SurveyQuality> survey_quality_keys = {"well.survey.quality", "Stations whose cell is not one of the good ones are left "
-    "out, and reported.", {
+const Table<SurveyQuality> survey_quality_keys = {"well.survey.quality", "Stations whose cell is not one of the good ones are "
+    "left out, and reported.", {
   {"column",                "",       &SurveyQuality::column,              none,                 "name in the header", must},
   {"good",                  "",       &SurveyQuality::good,                none,
       "cells of good stations, between blanks", must},

@@ -119,6 +119,18 @@ class NotMeasured(Folder):
             self.assertNotIn("hook_load", record)
 
 
+    def test_downhole_tools_are_none_of_the_rig(self):
+        for name in ("Hook Load (MWD)", "Hook Load (downhole)"):
+            record = self.read("Time (s),%s (klbf),Block Height (ft)\n" % name + "".join("%g,%g,%g\n" % row for row in ROWS))
+            self.assertNotIn("hook_load", record)
+
+    def test_depths_from_the_rotary_table(self):
+        for unit, factor in (("ftKB", FEET), ("mMD", 1.0), ("m RKB", 1.0), ("ft MD RKB", FEET), ("ft", FEET)):
+            record = self.read("Time (s),Hook Load (klbf),Bit Depth (%s)\n" % unit + "".join("%g,%g,%g\n" % row for row in ROWS))
+            numpy.testing.assert_allclose(record.signals["bit_depth"], [factor * row[2] for row in ROWS])
+        self.assertNotIn("bit_depth", self.read("Time (s),Hook Load (klbf),Bit Depth (ftTVD)\n" + "".join("%g,%g,%g\n" % row for row in ROWS)))
+
+
 class Feet(Folder):
     def rig(self, pipe, unit, connections=4):
         """A trip in with pipe of a length [m], its lengths written in one unit and called metres."""

@@ -18,6 +18,7 @@ DEPTHS, VERTICAL = ("bit_depth", "hole_depth"), {"tvd", "tvdss", "vert", "vertic
 EXTREMES = {"max", "min", "maximum", "minimum"}  # `Hookload (max)`
 # what no gauge has measured: `Flow In (set point)`, `Hook Load (model)`
 NOT_MEASURED = set("set setpoint sp target plan planned model modelled modeled simulated predicted expected theoretical calculated limit alarm".split())
+DOWNHOLE = set("mwd lwd downhole dh bit bha motor annular annulus".split())  # `Torque (MWD)`, but of depths
 MOST_SHOWN = 12  # names of columns in a line
 TRUTH = {"time", "hook_load", "bit_torque", "bit_up"}  # names that drill run --csv writes and no rig
 
@@ -73,10 +74,10 @@ class AllOf(Wanted):
 
 
 def named(names):
-    """Signal -> places of the columns with one of its names, the best first. A vertical depth is none of a string, a set point none of a gauge; extremes of a row's
-    interval come last."""
+    """Signal -> places of the columns with one of its names, the best first. A vertical depth is none of a string, a set point none of a gauge, a downhole tool none of
+    the rig; extremes of a row's interval come last."""
     words = [set(re.findall("[a-z]+", name.lower())) for name in names]
-    found = {signal: [place for place in places if not (signal in DEPTHS and words[place] & VERTICAL or words[place] & NOT_MEASURED)] for signal, places in known([bare(name) for name in names]).items()}
+    found = {signal: [place for place in places if not words[place] & (NOT_MEASURED | (VERTICAL if signal in DEPTHS else DOWNHOLE))] for signal, places in known([bare(name) for name in names]).items()}
     return {signal: sorted(places, key=lambda place: bool(words[place] & EXTREMES)) for signal, places in found.items() if places}
 
 

@@ -8,6 +8,8 @@ from drill_rig_sim.refusal import Refusal
 
 QUANTITIES = ("length", "speed", "force", "torque", "pressure", "angular speed", "flow", "time")  # of signals
 DATE = "date"  # the cells are dates with a time of the day, not numbers
+# of measured depth, the rotary table's names behind a unit: `ftKB`, `mMD`, `m RKB`
+DATUM = re.compile(r"(.*?\S)\s*(?:md ?)?(?:brkb|bkb|rkb|kb|brt|mdrt|rte|rt|df|md)$", re.IGNORECASE)
 DATES = ("date", "datetime", "date time", "date.time", "iso 8601")
 
 WITH_UNIT = re.compile(r"([+-]?[\d.,]*\d[.,]?(?:[eE][+-]?\d+)?)\s*([A-Za-z%\u00b0\"'\u2032\u2033][^\s]*(?: [^\s\d]+)?)$")
@@ -33,6 +35,9 @@ def factor_of(quantity, text):
     if quantity == "time" and exact.lower() in DATES:
         return None
     factor, problem = found(quantity, exact)
+    datum = DATUM.match(exact) if factor is None and quantity == "length" else None
+    if datum:
+        factor = found(quantity, datum[1])[0]
     if factor is None:
         raise UnitError("unit " + problem + (", " + DATE if quantity == "time" else ""))
     return factor
