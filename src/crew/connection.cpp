@@ -7,6 +7,7 @@
 #include "drill_rig_sim/math/rotation.h"
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/model/guides.h"
+#include "drill_rig_sim/model/mud_temperature.h"
 
 namespace drill_rig_sim
 {
@@ -150,6 +151,7 @@ State made_up(const Model& model, const State& before, int held, double travel, 
   state.memory.last_step = 0.0;
   for (PastQuantity& past : state.memory.past) past.nodes.resize(nodes);
   state.step.wanted = 0.0;
+  renew_temperature(model, state);
   state.mud_waves = waves_at_rest(model.mud().waves, state.time, state.hydraulics.strokes);  // the open string has no pressure
   return state;
 }

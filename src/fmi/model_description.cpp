@@ -18,7 +18,8 @@ using Printer = tinyxml2::XMLPrinter;
 /// A unit in powers of the SI's.
 struct BaseUnit
 {
-  int kg, m, s, rad;
+  int kg, m, s, rad, kelvin = 0;
+  double offset = 0.0;  // of its zero
 };
 
 const std::map<std::string, BaseUnit>& base_units()
@@ -26,7 +27,7 @@ const std::map<std::string, BaseUnit>& base_units()
   static const std::map<std::string, BaseUnit> units = {
       {"N", {1, 1, -2, 0}},     {"N m", {1, 2, -2, 0}},   {"Pa", {1, -1, -2, 0}},  {"m", {0, 1, 0, 0}},
       {"m/s", {0, 1, -1, 0}},   {"m3", {0, 3, 0, 0}},     {"m3/s", {0, 3, -1, 0}}, {"rad", {0, 0, 0, 1}},
-      {"rad/s", {0, 0, -1, 1}}, {"kg/m3", {1, -3, 0, 0}}, {"1/s", {0, 0, -1, 0}},
+      {"rad/s", {0, 0, -1, 1}}, {"kg/m3", {1, -3, 0, 0}}, {"1/s", {0, 0, -1, 0}},  {"degC", {0, 0, 0, 0, 1, 273.15}},
   };
   return units;
 }
@@ -34,8 +35,10 @@ const std::map<std::string, BaseUnit>& base_units()
 void write_base_unit(const BaseUnit& unit, Printer& out)
 {
   out.OpenElement("BaseUnit");
-  for (const auto& [name, power] : {std::pair{"kg", unit.kg}, {"m", unit.m}, {"s", unit.s}, {"rad", unit.rad}})
+  for (const auto& [name, power] :
+       {std::pair{"kg", unit.kg}, {"m", unit.m}, {"s", unit.s}, {"rad", unit.rad}, {"K", unit.kelvin}})
     if (power != 0) out.PushAttribute(name, power);
+  if (unit.offset != 0.0) out.PushAttribute("offset", unit.offset);
   out.CloseElement();
 }
 

@@ -63,20 +63,20 @@ struct AnnulusLaw
 {
   const SectionLosses& law;
   double narrowing;
+  const LossPlaces* warm;
 
   LossTable::Value at(double flow, double displaced) const noexcept
   {
-    const LossTable::Value plain = law.outer(flow, displaced);
+    const LossTable::Value plain = law.outer(flow, displaced, warm);
     return {narrowing * plain.loss, narrowing * plain.slope};
   }
 };
 
 /// The annulus with losses by a law: p + (step/capacity) (inflow - Q) = P(Q, displaced) + held, the last against the flow and as
 /// much as there is. Either way.
-Outflow annulus_by_law(const HydraulicCircuit& circuit, double narrowing, double pressure, double inflow, double displaced,
+Outflow annulus_by_law(const HydraulicCircuit& circuit, const AnnulusLaw& law, double pressure, double inflow, double displaced,
                        double step, double held, double guess) noexcept
 {
-  const AnnulusLaw law{circuit.law, narrowing};
   if (circuit.annulus.capacity <= 0.0) return {inflow, law.at(inflow, displaced).loss};
   const double by_flow = step / circuit.annulus.capacity, top = pressure + by_flow * inflow;
   const double driving = top - law.at(0.0, displaced).loss;
@@ -92,6 +92,12 @@ Outflow annulus_by_law(const HydraulicCircuit& circuit, double narrowing, double
   return {flow, top - by_flow * flow};
 }
 
+/// What leaves a bore that falls to no pressure at the pump, drawn by its own weight.
+Outflow emptied(double capacity, double pressure, double inflow, double step) noexcept
+{
+  return {std::max(0.0, inflow + capacity * pressure / step), 0.0};
+}
+
 /// What leaves the annulus at the flow line, and its pressure.
 Outflow advance_annulus(const HydraulicCircuit& circuit, const HydraulicState& state, double inflow, double displaced,
                         double step, double held, const MudWays& ways) noexcept
@@ -102,7 +108,8 @@ Outflow advance_annulus(const HydraulicCircuit& circuit, const HydraulicState& s
     return outflow_either_way(circuit.annulus.capacity, state.annulus_pressure, inflow + displaced, step, outer,
                               state.return_flow);
   }
-  Outflow out = annulus_by_law(circuit, ways.narrowing, state.annulus_pressure - ways.load, inflow, displaced, step, held,
+  const AnnulusLaw law{circuit.law, ways.narrowing, ways.warm};
+  Outflow out = annulus_by_law(circuit, law, state.annulus_pressure - ways.load, inflow, displaced, step, held,
                                state.return_flow - displaced);
   out.flow += displaced;
   out.pressure += ways.load;
@@ -118,13 +125,13 @@ double advance_gel(double gel, double flow, double step) noexcept
 
 double HydraulicResistance::pressure(double flow) const noexcept
 {
-  return back + gel + (law ? law->inner(flow).loss : loss * power(flow / nominal_flow, exponent)) +
+  return back + gel + (law ? law->inner(flow, warm).loss : loss * power(flow / nominal_flow, exponent)) +
          motor * std::min(1.0, flow / mud_motor_leakage);
 }
 
 double HydraulicResistance::slope(double flow) const noexcept
 {
-  return (law ? law->inner(flow).slope : exponent * loss * power(flow / nominal_flow, exponent) / flow) +
+  return (law ? law->inner(flow, warm).slope : exponent * loss * power(flow / nominal_flow, exponent) / flow) +
          (flow < mud_motor_leakage ? motor / mud_motor_leakage : 0.0);
 }
 
@@ -135,7 +142,7 @@ Outflow outflow(double capacity, double pressure, double inflow, double step, co
   const double least = r.back + r.gel;
   if (top <= least || (inflow <= 0.0 && top - least < kRest)) return {0.0, top};
   const double flow = root(top, by_flow, r, guess);
-  if (r.law && flow < r.law->bore.creep()) return {0.0, top};  // its yield stress holds it
+  if (r.law && flow < r.law->creep(r.warm)) return {0.0, top};  // its yield stress holds it
   return {flow, top - by_flow * flow};
 }
 
@@ -157,8 +164,9 @@ void advance_hydraulics(const MudPumpSpec& spec, const HydraulicCircuit& circuit
   state.strokes += state.pump_flow * step / spec.stroke_volume;
   const double n = circuit.nominal_flow, m = circuit.exponent;
   const SectionLosses* law = circuit.law.any() ? &circuit.law : nullptr;
-  const HydraulicResistance inner{
-      std::max(state.annulus_pressure, 0.0), circuit.bore.loss, state.bore_gel * circuit.bore.gel, motor_pressure, n, m, law};
+  const double back = std::max(state.annulus_pressure, ways.heads.annulus) - ways.heads.bore;
+  const HydraulicResistance inner{back, circuit.bore.loss, state.bore_gel * circuit.bore.gel, motor_pressure, n, m,
+                                  law,  ways.warm};
   const double fill = std::min(state.pump_flow, ways.air / step);
   state.filled += fill * step;
   const double leak =
@@ -166,6 +174,8 @@ void advance_hydraulics(const MudPumpSpec& spec, const HydraulicCircuit& circuit
   Outflow bore;
   if (fill * step >= ways.air)
     bore = outflow(circuit.bore.capacity, state.stand_pipe_pressure, state.pump_flow - fill - leak, step, inner, flow);
+  if (ways.warm && bore.pressure < 0.0)
+    bore = emptied(circuit.bore.capacity, state.stand_pipe_pressure, state.pump_flow - fill - leak, step);
   state.relief_open = bore.pressure > spec.relief_pressure;
   if (state.relief_open) bore = {std::min(bore.flow, outflow_at(spec.relief_pressure, inner, bore.flow)), spec.relief_pressure};
 

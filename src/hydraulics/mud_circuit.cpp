@@ -133,12 +133,24 @@ MudSections sections_of(const MudWay& way, const Mesh& mesh, const std::vector<S
   return out;
 }
 
+/// Of all mud from the coldest to the warmest.
+WarmRange warm_range(const MudTemperatureSpec& spec, double depth)
+{
+  constexpr double new_hole = 1000.0, by_friction = 20.0, boiling_brine = 300.0;  // [m], [K], [degC]
+  const double ground = ground_temperature(spec, depth + new_hole), coldest = std::min({spec.inlet, spec.surface, ground});
+  const double warmest = std::min(std::max({spec.inlet, spec.surface, ground}) + by_friction, boiling_brine);
+  constexpr double denser = 1.1, lighter = 0.85;  // of the density
+  return {{viscosity_factor(spec, warmest) / denser, viscosity_factor(spec, coldest) / lighter},
+          viscosity_factor(spec, spec.inlet)};
+}
+
 /// By the rheology.
 void lose_by_law(const MudWay& way, const MudSections& sections, const Gradients& gradients, MudCircuit& out)
 {
   const double flow = way.pump.max_flow;
   SectionLosses& law = out.circuit.law;
-  law = section_losses(gradients.curve(), way.mud.density, sections, flow);
+  const WarmRange warm = way.temperature ? warm_range(*way.temperature, way.bit_depth) : WarmRange();
+  law = section_losses(gradients.curve(), way.mud.density, sections, flow, way.temperature ? &warm : nullptr);
   const double lines = law.lines_loss(flow), bore = law.bore.at(flow).loss, inner = law.inner(flow).loss;
   out.losses = {lines, bore, inner - lines - bore, law.outer(flow, 0.0).loss};
   out.circuit.bore.loss = inner;
@@ -167,13 +179,14 @@ double displaced_area(const std::vector<Stretch>& stretches, const MudCircuit& m
 void share_losses(const std::vector<Stretch>& stretches, const Stretch& all, MudCircuit& out)
 {
   out.bore_above.assign(stretches.size(), 0.0);
-  out.annulus_above = out.annulus_here = out.bore_above;
+  out.bore_here = out.annulus_above = out.annulus_here = out.bore_above;
   double bore = 0.0, annulus = 0.0;
   for (std::size_t e = stretches.size(); e-- > 0;)  // from the top down
   {
     const double bore_here = all.bore_loss > 0.0 ? stretches[e].bore_loss / all.bore_loss : 0.0;
     const double here = all.annulus_loss > 0.0 ? stretches[e].annulus_loss / all.annulus_loss : 0.0;
     out.bore_above[e] = bore + 0.5 * bore_here;
+    out.bore_here[e] = bore_here;
     out.annulus_above[e] = annulus + 0.5 * here;
     out.annulus_here[e] = here;
     bore += bore_here;
@@ -181,14 +194,36 @@ void share_losses(const std::vector<Stretch>& stretches, const Stretch& all, Mud
   }
 }
 
-/// Number and length of the section that a passage is of.
-void set_section(const std::vector<PassageLength>& sections, const Passage& passage, WaveStretch& out)
+/// Number of the section that a passage is of.
+std::size_t section_of(const std::vector<PassageLength>& sections, const Passage& passage)
 {
   const auto found = std::find_if(sections.begin(), sections.end(),
                                   [&](const PassageLength& one)
                                   { return one.passage.outer == passage.outer && one.passage.inner == passage.inner; });
-  out.section = static_cast<std::size_t>(found - sections.begin());
-  out.section_length = found->length;
+  return static_cast<std::size_t>(found - sections.begin());
+}
+
+/// Number and length of that section.
+void set_section(const std::vector<PassageLength>& sections, const Passage& passage, WaveStretch& out)
+{
+  out.section = section_of(sections, passage);
+  out.section_length = sections[out.section].length;
+}
+
+/// The sections of the elements.
+void number_sections(const Mesh& mesh, const std::vector<Stretch>& stretches, const MudSections& sections,
+                     const Gradients& gradients, MudCircuit& out)
+{
+  out.bore_section.assign(stretches.size(), MudCircuit::no_section);
+  out.annulus_section = out.bore_section;
+  for (std::size_t e = 0; e < stretches.size(); ++e)
+  {
+    const MeshElement& element = mesh.elements[e];
+    if (stretches[e].bore_loss > 0.0)
+      out.bore_section[e] = section_of(sections.bore, gradients.bore_of(diameter_of(element.bore_area)));
+    if (stretches[e].hole > 0.0)
+      out.annulus_section[e] = section_of(sections.annulus, gradients.annulus_of(stretches[e].hole, element.outer_diameter));
+  }
 }
 
 /// The cell of each middle of a line's stretches, in their order.
@@ -303,6 +338,7 @@ MudCircuit mud_circuit(const MudWay& way, const Mesh& mesh)
   out.circuit.annulus = {all.annulus_volume / way.mud.bulk_modulus, out.losses.annulus, all.annulus_gel * gel};
   out.bore_friction = inner > 0.0 ? out.losses.bore / inner : 0.0;
   share_losses(stretches, all, out);
+  if (way.rheology && way.temperature) number_sections(mesh, stretches, sections, gradients, out);
   if (way.rheology && way.waves) out.waves = waves_of(way, mesh, stretches, sections, gradients, gel);
   out.displaced_area = way.rheology ? out.circuit.law.displaced_area : displaced_area(stretches, out);
   for (std::size_t e = 0; e < mesh.elements.size(); ++e)
@@ -335,20 +371,21 @@ double annulus_share(const MudCircuit& mud, const Mesh& mesh, double from_bit) n
   return 0.0;
 }
 
-MudPressures mud_pressures(const MudCircuit& mud, const HydraulicState& state, double flow) noexcept
+MudPressures mud_pressures(const MudCircuit& mud, const HydraulicState& state, double flow, const LossPlaces* warm,
+                           double head) noexcept
 {
   const HydraulicCircuit& c = mud.circuit;
-  if (flow <= 0.0) return {state.stand_pipe_pressure, 0.0, 0.0, state.annulus_pressure};
-  if (c.law.any()) return {state.stand_pipe_pressure, c.law.lines_loss(flow), c.law.bore.at(flow).loss, state.annulus_pressure};
-  return {state.stand_pipe_pressure, 0.0, mud.bore_friction * c.bore.loss * std::pow(flow / c.nominal_flow, c.exponent),
-          state.annulus_pressure};
+  const double annulus = state.annulus_pressure - head;
+  if (flow <= 0.0) return {state.stand_pipe_pressure, 0.0, 0.0, annulus};
+  if (c.law.any()) return {state.stand_pipe_pressure, c.law.lines_loss(flow), c.law.in_bore(flow, warm).loss, annulus};
+  return {state.stand_pipe_pressure, 0.0, mud.bore_friction * c.bore.loss * std::pow(flow / c.nominal_flow, c.exponent), annulus};
 }
 
-MudPressures wave_pressures(const HydraulicState& state, const PressureWaveState& waves, double load) noexcept
+MudPressures wave_pressures(const HydraulicState& state, const PressureWaveState& waves, double load, double head) noexcept
 {
   MudPressures out;
   out.stand_pipe = state.stand_pipe_pressure;
-  out.annulus = state.annulus_pressure;
+  out.annulus = state.annulus_pressure - head;
   out.load = load;
   out.waves = &waves;
   return out;

@@ -12,11 +12,10 @@ namespace drill_rig_sim
 {
 namespace
 {
-constexpr double longest_tick = 0.02, shortest_tick = 0.005;  // [s]
+constexpr double longest_tick = 0.02, shortest_tick = 0.005, in_time = 1e-9;  // [s]
 constexpr double cells_wanted = 50.0, fewest_cells = 2.0;
 constexpr double atmosphere = 101325.0;   // [Pa]
 constexpr double smallest_change = 1e-7;  // of a root, over the nominal flow: Newton's next one is far below
-constexpr double in_time = 1e-9;          // [s]
 
 using Value = LossTable::Value;
 
@@ -48,7 +47,8 @@ public:
         mud_(mud),
         s_(state),
         smallest_(smallest_change * circuit.nominal_flow),
-        creep_(circuit.law.bore.creep()),
+        creep_(circuit.law.creep(loads.ways.warm)),
+        bore_head_(mud.pump_flow > 0.0 ? loads.ways.heads.bore : std::min(loads.ways.heads.bore, loads.ways.heads.annulus)),
         moves_(loads.displaced != 0.0)
   {
   }
@@ -69,7 +69,9 @@ private:
     for (std::size_t k = n.first; k < n.last; ++k)
     {
       const WaveLine::Share& share = waves_.bore.shares[k];
-      const Value here = waves_.bore_losses[share.section].at(flow);
+      const LossPlaces* warm = loads_.ways.warm;
+      const Value here = warm ? circuit_.law.warm_bore[share.section].at(flow, warm->bore[share.section])
+                              : waves_.bore_losses[share.section].at(flow);
       sum.loss += share.share * here.loss;
       sum.slope += share.share * here.slope;
     }
@@ -84,7 +86,7 @@ private:
     for (std::size_t k = n.first; k < n.last; ++k)
     {
       const WaveLine::Share& share = waves_.annulus.shares[k];
-      const Value here = circuit_.law.annulus[share.section].at(flow, loads_.displaced);
+      const Value here = circuit_.law.along_section(share.section, flow, loads_.displaced, loads_.ways.warm);
       sum.loss += loads_.ways.narrowing * share.share * here.loss;
       sum.slope += loads_.ways.narrowing * share.share * here.slope;
     }
@@ -207,11 +209,10 @@ private:
   /// Nozzles, motor and pulser.
   Value bit_loss(double flow) const noexcept
   {
-    const SectionLosses& law = circuit_.law;
     const bool closed = waves_.spec.pulse_height > 0.0 &&
                         std::fmod(s_.time + waves_.tick, waves_.spec.pulse_period) < 0.5 * waves_.spec.pulse_period;
     const double pulser = closed ? waves_.spec.pulse_height / (circuit_.nominal_flow * circuit_.nominal_flow) : 0.0;
-    const double nozzles = law.nozzle_area > 0.0 ? nozzle_loss(law.density, 1.0, law.nozzle_area) : 0.0;
+    const double nozzles = circuit_.law.nozzles(1.0, loads_.ways.warm);
     const double per_leak = loads_.motor_pressure / mud_motor_leakage;
     const bool leaks = flow < mud_motor_leakage;
     return {(nozzles + pulser) * flow * flow + (leaks ? per_leak * flow : loads_.motor_pressure),
@@ -271,15 +272,17 @@ private:
       return p;
     };
     // its own motion draws nothing from the string (hydraulics.h): not that part of a pressure below 0
-    const double swab = loads_.displaced < 0.0 ? loads_.ways.narrowing * circuit_.law.outer(0.0, loads_.displaced).loss : 0.0;
+    const MudWays& ways = loads_.ways;
+    const double still = ways.heads.annulus;  // pressure of mud that does not flow
+    const double swab = loads_.displaced < 0.0 ? ways.narrowing * circuit_.law.outer(0.0, loads_.displaced, ways.warm).loss : 0.0;
     const auto behind_bit = [&](double q)
     {
       const Value p = in_annulus(q);
-      return p.loss >= 0.0 ? p : p.loss < swab ? Value{p.loss - swab, p.slope} : Value();
+      return p.loss >= still ? p : p.loss < still + swab ? Value{p.loss - swab, p.slope} : Value{still, 0.0};
     };
-    const double flow = flow_through_bit(at_bit - loads_.ways.plug, behind_bit);
+    const double flow = flow_through_bit(at_bit + bore_head_ - ways.plug, behind_bit);
     const double behind = in_annulus(flow).loss;
-    s_.bit_pressure = std::clamp(at_bit, behind, behind + loads_.ways.plug);
+    s_.bit_pressure = std::clamp(at_bit + bore_head_, behind, behind + ways.plug);
     s_.bit_flow = flow;
     s_.bore_against.back() = at_bit - 2.0 * bore * flow;
     s_.annulus_with[0] = against + 2.0 * annulus * (flow + displaced);
@@ -294,6 +297,7 @@ private:
   PressureWaveState& s_;
   double smallest_;    // change of a flow that is none [m3/s]
   double creep_;       // the loss at this flow in the bore is its yield stress's [m3/s]
+  double bore_head_;   // by which the bore weighs more than the reference; at rest it does not push [Pa]
   bool moves_;         // the string
   double leak_ = 0.0;  // [m3/s]
   std::size_t leak_in_bore_ = 0, leak_in_annulus_ = 0;

@@ -7,6 +7,7 @@
 #include "drill_rig_sim/model/extend_hole.h"
 #include "drill_rig_sim/model/forces/place_drag.h"
 #include "drill_rig_sim/model/hole_cleaning.h"
+#include "drill_rig_sim/model/mud_temperature.h"
 #include "drill_rig_sim/model/pointing.h"
 #include "drill_rig_sim/model/running_speed.h"
 
@@ -94,6 +95,7 @@ void advance_discrete(const Model& model, const Stage& stage, Workspace& work, S
   work.profiler.lap(Cost::other);
   extend_hole(model, stage, work.result, state);
   advance_cuttings(model, stage.time, state);
+  advance_temperature(model, stage.time, state);
   work.profiler.lap(Cost::rock_penetration);
 }
 
@@ -105,8 +107,9 @@ double motor_load(const Model& model, const State& state) noexcept
 MudPressures pressures_in_mud(const Model& model, const State& state) noexcept
 {
   const bool has_waves = !state.mud_waves.bore_with.empty();  // not before the start's equilibrium
-  return has_waves ? wave_pressures(state.hydraulics, state.mud_waves, state.cuttings.load)
-                   : mud_pressures(model.mud(), state.hydraulics, state.flow);
+  return has_waves ? wave_pressures(state.hydraulics, state.mud_waves, state.cuttings.load, state.temperature.heads.annulus)
+                   : mud_pressures(model.mud(), state.hydraulics, state.flow, state.temperature.places(),
+                                   state.temperature.heads.annulus);
 }
 
 namespace
@@ -141,13 +144,15 @@ void advance_mud(const Model& model, double commanded, double step, State& state
   if (mud.waves.any())
   {
     fill_bore(model, state);
-    const MudWays ways{plug_pressure(model, state), 0.0, 0.0, state.cuttings.load, state.cuttings.narrowing};
+    const MudWays ways{
+        plug_pressure(model, state), 0.0, 0.0, annulus_load(state), state.cuttings.narrowing, state.temperature.places(),
+        state.temperature.heads};
     const WaveLoads loads{over_motor, displaced, speed, ways, state.faults.leak_area, leaking_element(model, state)};
     return advance_pressure_waves(model.scene().rig.mud_pump, mud.circuit, mud.waves, commanded, loads, state.time, step,
                                   state.flow, state.hydraulics, state.mud_waves);
   }
-  const MudWays ways{plug_pressure(model, state), leak_flow(model, state), fill_bore(model, state), state.cuttings.load,
-                     state.cuttings.narrowing};
+  const MudWays ways{plug_pressure(model, state), leak_flow(model, state),    fill_bore(model, state), annulus_load(state),
+                     state.cuttings.narrowing,    state.temperature.places(), state.temperature.heads};
   advance_hydraulics(model.scene().rig.mud_pump, mud.circuit, commanded, over_motor, displaced, step, state.flow,
                      state.hydraulics, ways);
 }

@@ -52,6 +52,7 @@ Model::Model(const Scene& scene, Mesh mesh)
   mud_ = mud_circuit(scene_, mesh_);
   if (scene_.cuttings)
     cuttings_ = CuttingsFluid{curve_of(*scene_.rheology, scene_.mud.viscosity), scene_.mud.density, *scene_.cuttings};
+  if (scene_.temperature) heat_ = HeatMud{*scene_.temperature, rock_grid(*scene_.temperature), scene_.mud.density};
   turn_limit_ = drill_rig_sim::turn_limit(mesh_);
   scene_.rig.top_drive = tuned(scene_.rig.top_drive, mesh_);
   bit_bristle_ = drill_rig_sim::bit_bristle_stiffness(bit().torque, bit().diameter);

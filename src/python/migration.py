@@ -13,7 +13,8 @@ TRUTH = "truth/rig_state"
 USAGE = "usage: migrate_bag OLD.bag NEW.bag\nWrites NEW.bag: the messages of OLD.bag, which version 0.2 recorded, as this version has them."
 
 
-ADDED = {"epoch": 0, "encoder_bit_depth": math.nan, "accuracy_code": "", "accuracy_reason": "", "commands_refused": 0, "last_refusal": "", "active_faults": [], "active_fault_depths": [], "cuttings_volume": 0.0, "bed_height": 0.0}  # fields that version 0.2 did not have
+ADDED = {"epoch": 0, "encoder_bit_depth": math.nan, "accuracy_code": "", "accuracy_reason": "", "commands_refused": 0, "last_refusal": "", "active_faults": [], "active_fault_depths": [], "cuttings_volume": 0.0, "bed_height": 0.0, "flow_line_temperature": 0.0,
+         "bottom_hole_temperature": 0.0}  # fields that version 0.2 did not have
 
 
 def copy_fields(old, new):

@@ -120,12 +120,15 @@ void read_mud(const YAML::Node& node, const std::string& path, Scene& scene, Pro
 {
   const std::map<std::string, YAML::Node> entries = read_block(node, path, mud_keys, every_kind, scene.mud, problems);
   const auto fill = entries.find("fill"), rheology = entries.find("rheology"), cuttings = entries.find("cuttings"),
-             waves = entries.find("pressure_waves");
+             waves = entries.find("pressure_waves"), temperature = entries.find("temperature");
   if (fill != entries.end()) read_fill(fill->second, join(path, "fill"), scene.mud.fill, problems);
   if (cuttings != entries.end())
     read_block(cuttings->second, join(path, "cuttings"), cuttings_keys, every_kind, scene.cuttings.emplace(), problems);
   if (waves != entries.end())
     read_block(waves->second, join(path, "pressure_waves"), pressure_waves_keys, every_kind, scene.pressure_waves.emplace(),
+               problems);
+  if (temperature != entries.end())
+    read_block(temperature->second, join(path, "temperature"), temperature_keys, every_kind, scene.temperature.emplace(),
                problems);
   if (rheology == entries.end()) return;
   scene.rheology.emplace();
@@ -159,8 +162,8 @@ void check_hydraulics(const Scene& scene, Problems& problems)
     problems.add("string[0].nozzle_area", "is given together with nozzles, allowed: one of the two");
   if (!scene.rheology)
   {
-    for (const char* key :
-         {"string[0].nozzles", "string[0].nozzle_area", "rig.mud_pump.surface_lines", "mud.cuttings", "mud.pressure_waves"})
+    for (const char* key : {"string[0].nozzles", "string[0].nozzle_area", "rig.mud_pump.surface_lines", "mud.cuttings",
+                            "mud.pressure_waves", "mud.temperature"})
       refuse_without_rheology(key, problems);
     return;
   }

@@ -25,6 +25,7 @@ public:
     add_rheology(scene.rheology);
     if (scene.cuttings) add_keys(cuttings_keys, *scene.cuttings);
     if (scene.pressure_waves) add_keys(pressure_waves_keys, *scene.pressure_waves);
+    if (scene.temperature) add_keys(temperature_keys, *scene.temperature);
     for (const PartSpec& part : scene.string) add_part(part);
     add_keys(rig_keys, scene.rig);
     add_keys(hoisting_keys, scene.rig.hoisting);

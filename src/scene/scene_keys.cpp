@@ -191,6 +191,9 @@ const Table<MudSpec> mud_keys = {"mud", "The drilling fluid around and inside th
   {"pressure_waves",        "",       Nested{},                            none,
       "pressure waves in bore and annulus: pump strokes, water hammer, pulses and the delay of the pipe's length in "
       "`stand_pipe_pressure`; `{}` takes all defaults. Needs `rheology`", no_kind, every_kind, "none, two volumes"},
+  {"temperature",           "",       Nested{},                            none,
+      "temperature of the mud along the hole, which changes its density and its flow curve: losses, ECD and stand-pipe pressure "
+      "follow; `{}` takes all defaults. Needs `rheology`", no_kind, every_kind, "none, the mud is alike everywhere"},
   {"fill",                  "m",      Nested{},                            none,
       "mud level in a string that is run in with a float and not filled: distance along the string from the rotary table down. "
       "One number, or by bit depth `[[bit_depth, level], ...]`, linear between rows. A level at the bit or deeper: the string "
@@ -219,6 +222,40 @@ const Table<PressureWavesSpec> pressure_waves_keys = {"mud.pressure_waves",
       "pressure that a closed pulser of the MWD adds at the bit at the pump's `max_flow`, in proportion to flow^2; 0: no pulses"},
   {"pulse_period",          "s",      &PressureWavesSpec::pulse_period,    between(0.1, 100.0),
       "period of the pulses; the pulser is closed for the first half of it"},
+}};
+
+const Table<MudTemperatureSpec> temperature_keys = {"mud.temperature",
+    "Temperature of mud and rock; needs `mud.rheology`. Temperatures in degC.", {
+  {"inlet",                 "degC",   &MudTemperatureSpec::inlet,          between(-20.0, 100.0),
+      "temperature of the mud that is pumped in, at which `mud.density` holds; an assumption"},
+  {"surface",               "degC",   &MudTemperatureSpec::surface,        between(-20.0, 60.0),
+      "undisturbed temperature of the ground at its surface (mean of the standard atmosphere at sea level)"},
+  {"gradient",              "K/m",    &MudTemperatureSpec::gradient,       between(0.0, 0.2),
+      "rise of the ground's temperature by true vertical depth; continents 0.025 to 0.03 K/m; an assumption"},
+  {"heat_capacity",         "J/(kg K)", &MudTemperatureSpec::heat_capacity, between(500.0, 5000.0),
+      "heat capacity of the mud. By default of water with a tenth of solids by volume; oil-based muds have about 2000"},
+  {"pipe_coefficient",      "W/(m2 K)", &MudTemperatureSpec::pipe_coefficient, between(0.0, 1e4),
+      "heat transfer between the mud inside and around the string, per area of its outside; 30 Btu/(h ft2 degF) by default "
+      "(Holmes and Swift, 1970)"},
+  {"wall_coefficient",      "W/(m2 K)", &MudTemperatureSpec::wall_coefficient, between(0.0, 1e4),
+      "heat transfer between the annulus and the hole's wall, without the rock behind it; an assumption, as `pipe_coefficient`"},
+  {"rock_conductivity",     "W/(m K)", &MudTemperatureSpec::rock_conductivity, above(0.0, 100.0),
+      "heat conductivity of the rock; 1.3 Btu/(h ft degF) by default (Holmes and Swift, 1970)"},
+  {"rock_diffusivity",      "m2/s",   &MudTemperatureSpec::rock_diffusivity, between(1e-8, 1e-4),
+      "thermal diffusivity of the rock, conductivity over heat capacity per volume; by default of 2643 kg/m3 and 837 J/(kg K) "
+      "(Holmes and Swift, 1970)"},
+  {"expansion",             "1/K",    &MudTemperatureSpec::expansion,      between(0.0, 2e-3),
+      "thermal expansion of the mud: its density falls by this share per kelvin. By default of water at 50 degC less a tenth of "
+      "solids; oil-based muds have about 7e-4"},
+  {"compressibility",       "1/Pa",   &MudTemperatureSpec::compressibility, between(0.0, 2e-9),
+      "compressibility of the mud: its density grows by this share per pascal of hydrostatic pressure. By default of water"},
+  {"activation",            "K",      &MudTemperatureSpec::activation,     between(0.0, 1e4),
+      "B of the factor exp(B (1/T - 1/T_r)) on yield stress and consistency, T in kelvin. By default of water between 20 and 100 "
+      "degC, an assumption for muds; 0: the flow curve does not change"},
+  {"rheology_temperature",  "degC",   &MudTemperatureSpec::rheology_temperature, between(0.0, 200.0),
+      "T_r: temperature at which `mud.rheology` holds; 120 degF by default, at which API RP 13B-1 tests muds"},
+  {"circulated",            "s",      &MudTemperatureSpec::circulated,     between(0.0, 1e8),
+      "how long mud has been pumped at the pump's `max_flow` before the start; 0: mud and rock have rested"},
 }};
 
 const Table<RheologySpec> rheology_keys = {"mud.rheology",

@@ -53,6 +53,7 @@ extern const Table<MudSpec> mud_keys;
 extern const Table<RheologySpec> rheology_keys;
 extern const Table<CuttingsSpec> cuttings_keys;
 extern const Table<PressureWavesSpec> pressure_waves_keys;
+extern const Table<MudTemperatureSpec> temperature_keys;
 extern const Table<PartSpec> part_keys;
 extern const Table<ContactLaw> part_contact_keys;
 extern const Table<ContactLaw> bit_bottom_keys;

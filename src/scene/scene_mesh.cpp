@@ -258,8 +258,10 @@ MudCircuit mud_circuit(const Scene& scene, const Mesh& mesh)
 {
   const RheologySpec* rheology = scene.rheology ? &*scene.rheology : nullptr;
   const PressureWavesSpec* waves = scene.pressure_waves ? &*scene.pressure_waves : nullptr;
-  return mud_circuit({scene.rig.mud_pump, scene.mud, scene.well.sections, scene.string, scene.start.bit_depth, rheology, waves},
-                     mesh);
+  const MudTemperatureSpec* temperature = scene.temperature ? &*scene.temperature : nullptr;
+  return mud_circuit(
+      {scene.rig.mud_pump, scene.mud, scene.well.sections, scene.string, scene.start.bit_depth, rheology, waves, temperature},
+      mesh);
 }
 
 }  // namespace drill_rig_sim

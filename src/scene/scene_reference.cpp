@@ -76,6 +76,7 @@ std::string scene_reference()
   write(out, rheology_keys, rheology_words);
   write(out, cuttings_keys);
   write(out, pressure_waves_keys);
+  write(out, temperature_keys);
   PartSpec part;
   part.bit.emplace();
   part.motor.emplace();

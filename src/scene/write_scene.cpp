@@ -206,9 +206,11 @@ std::string mud_of(const Scene& scene)
   const std::string cuttings = scene.cuttings ? entry("cuttings", "{" + entries_of(cuttings_keys, *scene.cuttings) + "}") : "";
   const std::optional<PressureWavesSpec>& given = scene.pressure_waves;
   const std::string waves = given ? entry("pressure_waves", "{" + entries_of(pressure_waves_keys, *given) + "}") : "";
+  const std::string temperature =
+      scene.temperature ? entry("temperature", "{" + entries_of(temperature_keys, *scene.temperature) + "}") : "";
   const std::string readings = rows_of("readings", rheology->readings, &ViscometerReading::speed, &ViscometerReading::dial);
   const std::string curve = joined({entries_of(rheology_keys, *rheology, RheologySpec(), kind(rheology->law)), readings});
-  return block("mud", joined({entries_of(mud_keys, mud), fill, block("rheology", curve), cuttings, waves}));
+  return block("mud", joined({entries_of(mud_keys, mud), fill, block("rheology", curve), cuttings, waves, temperature}));
 }
 
 std::string pump_of(const MudPumpSpec& pump)

@@ -223,6 +223,8 @@ void Measurement::measure_bit() noexcept
   m.bit_flow = s.flow;
   m.cuttings_volume = cuttings_in_hole(s.cuttings);
   m.bed_height = s.cuttings.bed_height;
+  m.flow_line_temperature = s.temperature.flow_line;
+  m.bottom_hole_temperature = s.temperature.bit;
   m.ecd = equivalent_circulating_density(scene_.mud.density, s.hydraulics.annulus_pressure, -m.bit_position.z());
   m.bit_speed = bit.rate.spin + s.bit.motor_speed;
   m.bit_angular_velocity = bit.rate.tilt + m.bit_speed * axis;

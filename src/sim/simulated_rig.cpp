@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "drill_rig_sim/math/units.h"
+#include "drill_rig_sim/model/mud_temperature.h"
 #include "drill_rig_sim/scene/scene_hash.h"
 #include "drill_rig_sim/sim/integrator_table.h"
 #include "frame_queue.h"
@@ -139,6 +140,7 @@ bool SimulatedRig::restore(const SimulatorState& saved, bool keep_time)
   const PressureWaveState& saved_waves = saved.mechanics.mud_waves;
   if (waves.bore.cells() != saved_waves.bore_with.size() || waves.annulus.cells() != saved_waves.annulus_with.size())
     return false;
+  if (!fits_temperature(*restored, saved.mechanics.temperature)) return false;
   state = saved;
   state.companions.states.clear();
   if (another_string)

@@ -14,6 +14,7 @@
 #include "drill_rig_sim/model/bore_fill.h"
 #include "drill_rig_sim/model/guides.h"
 #include "drill_rig_sim/model/hole_cleaning.h"
+#include "drill_rig_sim/model/mud_temperature.h"
 #include "drill_rig_sim/rig/hoisting.h"
 #include "drill_rig_sim/scene/scene_mesh.h"
 #include "drill_rig_sim/solve/length_search.h"
@@ -366,6 +367,7 @@ RigAtRest build_at_rest(const Scene& scene)
   if (start.torque_on_bit > 0.0) rig.state.bit.twist = start.torque_on_bit / rig.model->bit_bristle_stiffness();
   if (rig.model->regenerative()) rest_on_ground(*rig.model, rig.state);
   begin_cuttings(*rig.model, rig.state);
+  begin_temperature(*rig.model, rig.state);
   rig.state.mud_waves = waves_at_rest(rig.model->mud().waves, rig.state.time, rig.state.hydraulics.strokes);
   return rig;
 }

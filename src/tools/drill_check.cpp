@@ -24,6 +24,7 @@
 #include "drill_options.h"
 #include "drill_program.h"
 #include "drill_scene.h"
+#include "drill_temperature.h"
 #include "drill_units.h"
 
 namespace drill_rig_sim
@@ -316,6 +317,7 @@ void check(const CheckOptions& options)
   print_well(scene, simulator, printed);
   const Mesh mesh = build_mesh(scene, scene.start.bit_depth + scene.start.block_height);
   print_mud(scene, mesh, printed);
+  print_temperature(simulator, printed);
   print_fill(scene, mesh, printed);
   print_tuned_drive(scene, mesh, printed);
   print_heave(scene.rig.heave, printed);

@@ -24,8 +24,8 @@ NEAR_BOTTOM = ('--set', 'start.bit_depth=99.95', *ALONE)  # of quick.yaml: tags 
 COLUMNS = ('time,hook_load,torque,block_height,top_drive_speed,wob,bit_torque,bit_speed,bit_depth,hole_depth,rop,inclination,azimuth,'
            'toolface,bit_east,bit_north,bit_up,bit_inclination,in_slips,motor_stalled,winch_limited,top_drive_limited,stop_reached,slack_line,'
            'relief_valve_open,over_stress,over_torque,buckled,accuracy_warning,stand_pipe_pressure,differential_pressure,flow,floor_height,'
-           'dead_line_hook_load,hook_load_string,stroke_rate,pump_strokes,ecd,encoder_bit_depth,block_velocity,floor_velocity,top_drive_angle,surface_wob,tared,on_bottom,'
-           'stand_count,brake_set,cuttings_volume,bed_height,top_drive_brake_set,command_clamped,commands_timed_out,over_pull,pump_tripped,drive_tripped').split(',')
+           'dead_line_hook_load,hook_load_string,stroke_rate,pump_strokes,ecd,flow_line_temperature,encoder_bit_depth,block_velocity,floor_velocity,top_drive_angle,surface_wob,tared,on_bottom,'
+           'stand_count,brake_set,cuttings_volume,bed_height,bottom_hole_temperature,top_drive_brake_set,command_clamped,commands_timed_out,over_pull,pump_tripped,drive_tripped').split(',')
 drill_program = None
 
 

@@ -5,6 +5,7 @@
 Usage: test_drill_units.py PATH_TO_DRILL
 """
 import json
+import math
 import os
 import re
 import sys
@@ -67,6 +68,22 @@ class Units(test_drill.Drill):
             self.assertAlmostEqual(flow, 6.30902e-5 * float(gallons), delta=1e-4)
         self.assertNotIn('is less', self.succeed('check', scene))
         self.assertIn("            the pump's largest flow, 0.01 m3/s, is less: keep the rate of penetration lower\n", self.succeed('check', scene, '--set', 'rig.mud_pump.max_flow=0.01'))
+
+    def test_check_prints_what_temperature_makes_of_the_mud(self):
+        scene = self.file('warm.yaml')
+        with open(scene, 'w', encoding='utf-8') as out:
+            out.write(WITH_CUTTINGS.replace('cuttings: {}', 'temperature: {}'))
+        pattern = (r'^temperature (\S+) degC in the rock at the bit; after 6 h at 0.04 m3/s (\S+) degC at the bit, (\S+) degC in the flow line\n'
+                   r'            then plastic viscosity (\S+) mPa s at the bit \(15 mPa s at 49 degC\), stand pipe (\S+) MPa, ecd (\S+) kg/m3; '
+                   r'at rest at the start (\S+) kg/m3$')
+        rock, bit, flow_line, viscosity, stand_pipe, ecd, rest = map(float, re.search(pattern, self.succeed('check', scene), re.M).groups())
+        depth = 300.0 + 700.0 / math.radians(70.0) * math.sin(math.radians(70.0)) + 499.0 * math.cos(math.radians(70.0))
+        self.assertAlmostEqual(15.0 + 0.03 * depth, rock, delta=0.06)
+        self.assertTrue(30.0 < bit < rock and 30.0 < flow_line < rock)
+        self.assertAlmostEqual(15.0 * math.exp(1735.0 * (1.0 / (bit + 273.15) - 1.0 / 322.15)), viscosity, delta=0.06)
+        self.assertTrue(rest < ecd and 3.0 < stand_pipe < 30.0)
+        # expansion by the mean of the rock's temperature, compression by half the pressure at the bit
+        self.assertAlmostEqual(1200.0 * math.exp(-4e-4 * (15.0 + 0.015 * depth - 30.0) + 2.2e-10 * 1200.0 * 9.80665 * depth), rest, delta=1.0)
 
     def test_survey(self):
         file = self.file('survey.csv')

@@ -30,6 +30,7 @@ inline void number_signals(RigSignals& s, double base)
   s.rop = base + 15;
   s.ecd = base + 16;
   s.encoder_bit_depth = base + 21;
+  s.flow_line_temperature = base + 22;
   s.stroke_rate = base + 17;
   s.pump_strokes = static_cast<unsigned>(base) + 18;
   s.floor_height = base + 19;

@@ -28,6 +28,7 @@ void expect_numbers(const Message& m, double base)
   EXPECT_EQ(base + 11, m.flow);
   EXPECT_EQ(base + 16, m.ecd);
   EXPECT_EQ(base + 21, m.encoder_bit_depth);
+  EXPECT_EQ(base + 22, m.flow_line_temperature);
   EXPECT_EQ(base + 17, m.stroke_rate);
   EXPECT_EQ(base + 18, m.pump_strokes);
   EXPECT_EQ(base + 19, m.floor_height);

@@ -318,9 +318,10 @@ TEST(SceneKeys, noKeyIsForgotten)
                                                                {"string[]", "nozzles"},
                                                                {"string[]", "nozzle_area"},
                                                                {"rig.mud_pump", "surface_lines"},
-                                                               {"mud", "rheology"},         // test_scene_rheology.cpp
-                                                               {"mud", "cuttings"},         // test_scene_cuttings.cpp
-                                                               {"mud", "pressure_waves"}};  // test_scene_pressure_waves.cpp
+                                                               {"mud", "rheology"},        // test_scene_rheology.cpp
+                                                               {"mud", "cuttings"},        // test_scene_cuttings.cpp
+                                                               {"mud", "pressure_waves"},  // test_scene_pressure_waves.cpp
+                                                               {"mud", "temperature"}};    // test_scene_temperature.cpp
   std::set<std::pair<std::string, std::string>> expected = apart;
   std::set<std::string> blocks;
   for (const Expected& e : all_expected()) expected.insert({e.block, e.key}), blocks.insert(e.block);
@@ -329,7 +330,8 @@ TEST(SceneKeys, noKeyIsForgotten)
   for (const auto& [block, key] : documented)
   {
     const std::string inside = block.empty() ? key : block + "." + key;
-    if (block.rfind("well.survey", 0) == 0 || block == "mud.rheology" || block == "mud.cuttings" || block == "mud.pressure_waves")
+    if (block.rfind("well.survey", 0) == 0 || block == "mud.rheology" || block == "mud.cuttings" ||
+        block == "mud.pressure_waves" || block == "mud.temperature")
       continue;
     const bool is_block =
         std::any_of(blocks.begin(), blocks.end(), [&](const std::string& b) { return b.rfind(inside, 0) == 0; });

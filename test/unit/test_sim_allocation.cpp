@@ -84,7 +84,7 @@ using namespace drill_rig_sim;
 namespace
 {
 void drill(bool balance, BitTorqueModel law = BitTorqueModel::stribeck, double step = 0.01, bool cuttings = false,
-           bool waves = false)
+           bool waves = false, bool temperature = false)
 {
   allocations = 0;
   Scene scene = drilling_scene(0.005);
@@ -92,7 +92,7 @@ void drill(bool balance, BitTorqueModel law = BitTorqueModel::stribeck, double s
   scene.string[0].bit->torque.model = law;
   scene.instruments.hook_load = {500.0, 100.0, 0.25, 0.5};
   scene.instruments.mwd.period = 2.0;
-  if (cuttings || waves)
+  if (cuttings || waves || temperature)
   {
     scene.rheology.emplace();
     scene.rheology->plastic_viscosity = 0.02;
@@ -100,6 +100,7 @@ void drill(bool balance, BitTorqueModel law = BitTorqueModel::stribeck, double s
     scene.string[0].bit->nozzle_area = 4e-4;
     if (cuttings) scene.cuttings.emplace();
     if (waves) scene.pressure_waves.emplace();
+    if (temperature) scene.temperature.emplace();
   }
   Simulator rig(scene);
   rig.balance_energy(balance);
@@ -152,6 +153,12 @@ TEST(Frame, allocatesNothingWithPressureWaves)
 {
   drill(false, BitTorqueModel::stribeck, 0.01, false, true);
   drill(false, BitTorqueModel::stribeck, 0.0, true, true);
+}
+
+TEST(Frame, allocatesNothingWithTemperature)
+{
+  drill(false, BitTorqueModel::stribeck, 0.01, true, false, true);
+  drill(false, BitTorqueModel::stribeck, 0.0, false, false, true);
 }
 
 // The crew works between the frames.

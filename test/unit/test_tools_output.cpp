@@ -82,6 +82,7 @@ Truth numbered_truth()
   m.floor_height = 264.0;
   m.cuttings_volume = 265.0;
   m.bed_height = 266.0;
+  m.bottom_hole_temperature = 267.0;
   return m;
 }
 
@@ -125,6 +126,7 @@ Row truth_row()
           {"stroke_rate", 117},
           {"pump_strokes", 118},
           {"ecd", 116},
+          {"flow_line_temperature", 122},
           {"encoder_bit_depth", 121},
           {"block_velocity", 105},
           {"floor_velocity", 120},
@@ -136,6 +138,7 @@ Row truth_row()
           {"brake_set", 0},
           {"cuttings_volume", 265},
           {"bed_height", 266},
+          {"bottom_hole_temperature", 267},
           {"top_drive_brake_set", 0},
           {"command_clamped", 0},
           {"commands_timed_out", 0},

@@ -38,6 +38,12 @@
 /// Cuttings in the annulus (model/hole_cleaning.h): p_a is larger by their weight W, whatever moves, and the losses of a law grow
 /// by a factor where their bed narrows the annulus, p_a = W + f P(V) + G_a.
 ///
+/// Temperature (`mud.temperature`, model/mud_temperature.h): the losses of the law are those of each section's mud
+/// (loss_family.h). With H_b and H_a, by which bore and annulus weigh more than the reference at the bit,
+///   p_p + H_b - p_a = losses,      p_a = H_a + P(V) + G_a.
+/// A bore that is heavier than the annulus pulls the stand pipe's pressure down to 0 at most: that its mud would sink in the
+/// string while the pump rests is left out.
+///
 /// Relief valve, by the pump: the stand pipe does not exceed relief_pressure, and what is too much goes back to the tanks.
 ///
 /// Implicit Euler, volume by volume from the pump on, each a scalar equation with one root: stable at any step, though resistance
@@ -112,6 +118,7 @@ struct HydraulicResistance
   double nominal_flow = 0.06;
   double exponent = 2.0;
   const SectionLosses* law = nullptr;  ///< instead of loss and exponent
+  const LossPlaces* warm = nullptr;    ///< of the mud in it by temperature
 
   /// Pressure that a flow > 0 needs [Pa], and its derivative [Pa s/m3].
   double pressure(double flow) const noexcept;
@@ -128,15 +135,31 @@ Outflow outflow(double capacity, double pressure, double inflow, double step, co
 /// The same from a volume whose pressure is held.
 double outflow_at(double pressure, const HydraulicResistance& r, double guess) noexcept;
 
+/// What temperature and pressure make of the weight of the mud down to the bit, over that of the reference [Pa].
+struct WarmHeads
+{
+  double bore = 0.0, annulus = 0.0;
+
+  template <class V>
+  void visit(V& v)
+  {
+    v("bore", bore);
+    v("annulus", annulus);
+  }
+};
+
 /// Ways that the mud should not have, and those that are closed to it.
 struct MudWays
 {
   double plug =
       0.0;  ///< what packed cuttings hold back in the annulus while mud is pumped; what the string displaces seeps through [Pa]
-  double leak = 0.0;       ///< through a hole in the string, past motor and bit into the annulus [m3/s]
-  double air = 0.0;        ///< volume in the string that the pump fills first [m3]
-  double load = 0.0;       ///< by which the cuttings in the annulus weigh on the bit's depth, moving or at rest [Pa]
-  double narrowing = 1.0;  ///< factor on the annulus's losses by law: what a bed of cuttings makes of them [-]
+  double leak = 0.0;  ///< through a hole in the string, past motor and bit into the annulus [m3/s]
+  double air = 0.0;   ///< volume in the string that the pump fills first [m3]
+  double load =
+      0.0;  ///< by which cuttings and temperature change the annulus's weight on the bit's depth, moving or at rest [Pa]
+  double narrowing = 1.0;            ///< factor on the annulus's losses by law: what a bed of cuttings makes of them [-]
+  const LossPlaces* warm = nullptr;  ///< mud by temperature; null: none
+  WarmHeads heads = {};              ///< of it; that of the annulus is part of load
 };
 
 /// Flow through a hole of an area [m2] by a pressure [Pa]: 0.61 A sqrt(2 p/rho), Torricelli's with a sharp edge's contraction,

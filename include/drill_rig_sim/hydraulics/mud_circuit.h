@@ -9,6 +9,7 @@
 #include "drill_rig_sim/hydraulics/mud_pump.h"
 #include "drill_rig_sim/hydraulics/pressure_waves.h"
 #include "drill_rig_sim/hydraulics/rheology.h"
+#include "drill_rig_sim/hydraulics/warm_mud.h"
 #include "drill_rig_sim/string/mesh.h"
 #include "drill_rig_sim/well/well_spec.h"
 
@@ -75,6 +76,7 @@ struct MudCircuit
   HydraulicCircuit circuit;
   // per element, bit first: shares of its middle
   std::vector<double> bore_above;          ///< of the bore's friction, lost above it
+  std::vector<double> bore_here;           ///< of it, lost along it
   std::vector<double> annulus_above;       ///< of the annulus's loss, still to come above it
   std::vector<double> annulus_here;        ///< of the annulus's loss, along it
   std::vector<double> stretch_by_bore;     ///< (1 - 2 nu) A_i/(E A_s): of the pipe by a pressure in its bore [1/Pa]
@@ -87,6 +89,10 @@ struct MudCircuit
   double bore_friction = 0.0;  ///< share of circuit.bore.loss that is the bore's; the rest is the bit's and the surface lines'
   LossesAtLargestFlow losses;
   PressureWaves waves;  ///< none without mud.pressure_waves
+  // number of each element's section among the losses by temperature, no_section: none; empty without mud.temperature
+  std::vector<std::size_t> bore_section, annulus_section;
+
+  static constexpr std::size_t no_section = static_cast<std::size_t>(-1);
 };
 
 /// Annular pressure gradient [Pa/m] of a flow [m3/s] of mud of a density [kg/m3] between a hole and a string of diameters [m]; 0
@@ -102,9 +108,10 @@ struct MudWay
   const MudSpec& mud;
   const std::vector<HoleSection>& hole;
   const std::vector<PartSpec>& string;
-  double bit_depth;                          ///< [m]
-  const RheologySpec* rheology = nullptr;    ///< none: by pressure_coefficient
-  const PressureWavesSpec* waves = nullptr;  ///< with a rheology only
+  double bit_depth;                                 ///< [m]
+  const RheologySpec* rheology = nullptr;           ///< none: by pressure_coefficient
+  const PressureWavesSpec* waves = nullptr;         ///< with a rheology only
+  const MudTemperatureSpec* temperature = nullptr;  ///< the same
 };
 
 MudCircuit mud_circuit(const MudWay& way, const Mesh& mesh);
@@ -142,10 +149,13 @@ struct MudPressures
 double annulus_share(const MudCircuit& mud, const Mesh& mesh, double from_bit) noexcept;
 
 /// @param flow  through the bore [m3/s]
-MudPressures mud_pressures(const MudCircuit& mud, const HydraulicState& state, double flow) noexcept;
+/// @param warm  of the mud by temperature; null: none
+/// @param head  of the annulus by it (WarmHeads), which is hydrostatic [Pa]
+MudPressures mud_pressures(const MudCircuit& mud, const HydraulicState& state, double flow, const LossPlaces* warm = nullptr,
+                           double head = 0.0) noexcept;
 /// The same of a circuit with waves; the result refers to them.
 /// @param load  weight of cuttings at the bit [Pa]
-MudPressures wave_pressures(const HydraulicState& state, const PressureWaveState& waves, double load) noexcept;
+MudPressures wave_pressures(const HydraulicState& state, const PressureWaveState& waves, double load, double head = 0.0) noexcept;
 
 }  // namespace drill_rig_sim
 

@@ -35,6 +35,7 @@ enum class Dimension
   dogleg,  // change of direction per length
   torsional_damping,
   torsional_stiffness,
+  temperature,
   share,
   number,
   count
@@ -45,7 +46,7 @@ struct Unit
 {
   const char* name;  // "" for a mere number
   double per_si;     // shown units in one SI unit (N, N m, rad/s, m/s, Pa, m3/s, m, m2, rad, kg/m3, 1/s, N/m, kg, m3, rad/m, N m
-                     // s/rad, N m/rad)
+                     // s/rad, N m/rad, degC)
   int decimals;      // that are shown
 };
 

@@ -9,6 +9,7 @@
 #include "drill_rig_sim/contact/section_friction.h"
 #include "drill_rig_sim/hydraulics/cuttings.h"
 #include "drill_rig_sim/hydraulics/mud_circuit.h"
+#include "drill_rig_sim/hydraulics/mud_heat.h"
 #include "drill_rig_sim/math/kernel.h"
 #include "drill_rig_sim/scene/scene.h"
 #include "drill_rig_sim/string/beam_table.h"
@@ -58,6 +59,8 @@ public:
   const MudCircuit& mud() const noexcept { return mud_; }
   /// Mud with cuttings; none: the mud stays clean.
   const std::optional<CuttingsFluid>& cuttings() const noexcept { return cuttings_; }
+  /// What the mud carries of heat; none: no mud.temperature.
+  const std::optional<HeatMud>& heat() const noexcept { return heat_; }
   /// How fast the body that follows the bit lets the hole turn.
   const TurnLimit& turn_limit() const noexcept { return turn_limit_; }
   /// Wall contact at a node; friction as the scene has it everywhere.
@@ -105,6 +108,7 @@ private:
   double bit_bristle_ = 0.0;
   MudCircuit mud_;
   std::optional<CuttingsFluid> cuttings_;
+  std::optional<HeatMud> heat_;
   TurnLimit turn_limit_;
 };
 

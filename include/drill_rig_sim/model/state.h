@@ -12,6 +12,7 @@
 #include "drill_rig_sim/hydraulics/pressure_waves.h"
 #include "drill_rig_sim/model/cuttings_state.h"
 #include "drill_rig_sim/model/fault_state.h"
+#include "drill_rig_sim/model/temperature_state.h"
 #include "drill_rig_sim/rig/heave.h"
 #include "drill_rig_sim/rig/top_drive.h"
 #include "drill_rig_sim/well/wellbore.h"
@@ -264,6 +265,7 @@ struct State
   HydraulicState hydraulics;
   PressureWaveState mud_waves;  ///< empty without mud.pressure_waves
   CuttingsState cuttings;
+  TemperatureState temperature;
   double flow = 0.0;  ///< through string, motor and bit; constant within a step [m3/s]
 
   template <class V>
@@ -287,6 +289,7 @@ struct State
     v("hydraulics", hydraulics);
     v("mud_waves", mud_waves);
     v("cuttings", cuttings);
+    v("temperature", temperature);
     v("flow", flow);
   }
 };

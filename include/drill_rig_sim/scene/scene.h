@@ -12,6 +12,7 @@
 #include "drill_rig_sim/hydraulics/cuttings.h"
 #include "drill_rig_sim/hydraulics/pressure_waves.h"
 #include "drill_rig_sim/hydraulics/rheology.h"
+#include "drill_rig_sim/hydraulics/warm_mud.h"
 #include "drill_rig_sim/rig/heave.h"
 #include "drill_rig_sim/rig/hoisting.h"
 #include "drill_rig_sim/rig/top_drive.h"
@@ -95,6 +96,7 @@ struct Scene
   std::optional<RheologySpec> rheology;             ///< the file's mud.rheology; none: losses by pressure_coefficient
   std::optional<PressureWavesSpec> pressure_waves;  ///< the file's mud.pressure_waves, with a rheology only; none: two volumes
   std::optional<CuttingsSpec> cuttings;             ///< the file's mud.cuttings, with a rheology only; none: mud stays clean
+  std::optional<MudTemperatureSpec> temperature;    ///< the file's mud.temperature, with a rheology only; none: mud stays alike
   std::vector<PartSpec> string;
   RigSpec rig;
   ContactSpec contact;

@@ -76,6 +76,8 @@ BOTH(double, stroke_rate, strokes, "", 23, "of the mud pump", "exact: strokes ar
 BOTH(unsigned, pump_strokes, number, "", 0, "whole strokes of the mud pump since the start", "exact")
 BOTH(double, ecd, density, "", 0, "equivalent circulating density at the bit: mud weight with the losses of the annulus",
      "exact, without the delay of telemetry")
+BOTH(double, flow_line_temperature, temperature, "", 0, "of the mud that returns; 0 without mud.temperature",
+     "exact, by the flow line's thermometer")
 GAUGE(double, block_height, length, "BLOCKCOMP", 12, "top-drive shaft above the rotary table",
       "drawworks encoder; bit depth, hole depth and rate of penetration are worked out from it")
 GAUGE(double, encoder_bit_depth, length, "", 0, "measured depth of the bit by the length of its string, without the stretch",
@@ -112,6 +114,7 @@ TRUTH(bool, over_torque, number, "pipe is twisted beyond the make-up torque of i
 TRUTH(bool, buckled, number, "pipe is compressed beyond its buckling load in the hole")
 TRUTH(double, cuttings_volume, volume, "of rock in the hole, in the flow and in beds; 0 without mud.cuttings")
 TRUTH(double, bed_height, diameter, "largest height of a bed of cuttings along the hole; 0 without mud.cuttings")
+TRUTH(double, bottom_hole_temperature, temperature, "of the mud around the bit; 0 without mud.temperature")
 BOTH(bool, accuracy_warning, number, "", 0, "the simulation itself may be wrong; the diagnostics give the reason and the remedy",
      "the same")
 BOTH(bool, top_drive_brake_set, number, "", 0, "the top drive's brake is on", "exact")

@@ -8,6 +8,7 @@
 #include "drill_rig_sim/contact/surface_friction.h"
 #include "drill_rig_sim/math/rotation.h"
 #include "drill_rig_sim/math/units.h"
+#include "drill_rig_sim/model/mud_temperature.h"
 
 namespace drill_rig_sim
 {
@@ -125,7 +126,7 @@ PlaceDrag drag_at(const Model& model, const State& state, double bit_depth, std:
   out.most = drag.amount;
   if (k == 0)
   {
-    out.pressure = std::clamp(state.hydraulics.annulus_pressure - state.cuttings.load, 0.0, plug_at(model, state, out.node));
+    out.pressure = std::clamp(state.hydraulics.annulus_pressure - annulus_load(state), 0.0, plug_at(model, state, out.node));
     return out;
   }
   const FaultState& faults = state.faults;
