@@ -1,9 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What `drill live` starts: a rig's feed drives a simulation; how far that is off is printed and published. The runner has checked the command line."""
 import argparse
+import contextlib
 import os
 import re
 import sys
+from signal import SIGINT
+from signal import signal as handle
 
 import numpy
 from drill_rig_sim.field.bag_feed import bag_rows
@@ -120,6 +123,19 @@ def first_rows(rows, name, say):
     raise RecordError("%s: ended after %d rows with block_height and bit_depth; needed: %d" % (name, len(kept), FIRST))
 
 
+@contextlib.contextmanager
+def uninterrupted():
+    """Ctrl-C waits for the end of the block: a row that is half taken could not be played on."""
+    asked = []
+    before = handle(SIGINT, lambda *_: asked.append(True))
+    try:
+        yield
+    finally:
+        handle(SIGINT, before)
+    if asked:
+        raise KeyboardInterrupt
+
+
 def follow(options, shown, say):
     """Until the feed ends, or is interrupted."""
     rows = rows_of(options, say)
@@ -135,7 +151,8 @@ def follow(options, shown, say):
     live = Live(options.feed, rig, [row._replace(time=row.time - first[0].time) for row in first], say, shown)
     try:
         for row in rows:
-            live.take(row._replace(time=row.time - first[0].time))
+            with uninterrupted():
+                live.take(row._replace(time=row.time - first[0].time))
     except KeyboardInterrupt:
         pass
     live.finish()

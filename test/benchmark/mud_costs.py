@@ -9,13 +9,14 @@ SCENE = os.path.join(laws.SOURCE, 'config/campaigns/mud.yaml')  # 2.5 km
 DURATION = 12.0  # [s], while the pump starts and the bit is off bottom
 LEVELS = ('beam3d', 'axial_torsional')
 FRAME = ((None, 'Simulator::frame('),)
-MUD = ((None, 'advance_mud('), (None, 'advance_cuttings('))
+MUD = ((None, 'advance_mud('), (None, 'advance_cuttings('), (None, 'advance_temperature('))
 # (row, the keys of `mud` that it has); a key without a value takes all defaults
 ROWS = (('two volumes, one loss coefficient', ()),
         ('pressure losses by section', ('rheology',)),
         ('the same with cuttings', ('rheology', 'cuttings')),
+        ('the same with temperature', ('rheology', 'temperature')),
         ('the same with pressure waves', ('rheology', 'pressure_waves')),
-        ('all', ('rheology', 'cuttings', 'pressure_waves')))
+        ('all', ('rheology', 'cuttings', 'temperature', 'pressure_waves')))
 
 
 def scene_with(options):

@@ -3,6 +3,7 @@
 """drill live, but for the runner in front of it: a simulated rig's own WITS stream and a bag come back; gaps, slips, bad rows and the feed's end are reported."""
 import io
 import os
+import signal
 import tempfile
 import threading
 import types
@@ -213,6 +214,23 @@ class Bag(Command):
         status, _, err = self.command(file, QUICK)
         self.assertEqual(2, status)
         self.assertTrue(err.startswith("drill live: %s: " % file) and err.count("\n") == 1, err)
+
+
+class Interrupted(unittest.TestCase):
+    def test_ctrl_c_waits_until_a_row_is_taken(self):
+        done = []
+        with self.assertRaises(KeyboardInterrupt):
+            with live_command.uninterrupted():
+                signal.raise_signal(signal.SIGINT)
+                done.append("the row")
+            done.append("the next row")
+        self.assertEqual(["the row"], done)
+        with self.assertRaises(KeyboardInterrupt):  # as before it
+            signal.raise_signal(signal.SIGINT)
+
+    def test_without_it_nothing_is_raised(self):
+        with live_command.uninterrupted():
+            pass
 
 
 class Wits(Command):
