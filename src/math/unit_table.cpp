@@ -145,6 +145,7 @@ std::vector<UnitFamily> last_families()
 {
   return {
   {"an area", {{"m2", 1.0L}, {"cm2", 1e-4L}, {"mm2", 1e-6L}, {"in2", inch * inch}}},
+  {"a temperature", {{"degC", 1.0L}}},
   {"a frequency", {{"1/s", 1.0L}, {"Hz", 1.0L}, {"1/min", 1.0L / minute, "spm"}}},
   {"a power", {{"W", 1.0L}, {"kW", 1e3L}, {"MW", 1e6L}, {"hp", 550.0L * pound_foot}}},
   {"a mass per length", {{"kg/m", 1.0L}, {"lbm/ft", pound_per_foot, "lb/ft lbs/ft ppf"}}},
