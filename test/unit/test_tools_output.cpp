@@ -210,6 +210,7 @@ TEST(Csv, readingsStandBesideTheTruth)
                    {"reading_stroke_rate", 317},
                    {"reading_pump_strokes", 318},
                    {"reading_ecd", 316},
+                   {"reading_flow_line_temperature", 322},
                    {"reading_encoder_bit_depth", 321},
                    {"reading_block_velocity", 305},
                    {"reading_floor_height", 319},
