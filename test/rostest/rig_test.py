@@ -58,9 +58,17 @@ def publishers_know(topic):
     return bool(nodes)
 
 
+def address_of(node):
+    """Of its XML-RPC server; "" while the master does not know it."""
+    try:
+        return rosgraph.Master(rospy.get_name()).lookupNode(node)
+    except rosgraph.MasterError:
+        return ""
+
+
 def process_of(node):
-    """Its process id."""
-    return xmlrpc.client.ServerProxy(rosgraph.Master(rospy.get_name()).lookupNode(node)).getPid(rospy.get_name())[2]
+    """Its process id. A node that was started again may not be known for a moment."""
+    return xmlrpc.client.ServerProxy(wait_until(lambda: address_of(node), "the master knows %s" % node)).getPid(rospy.get_name())[2]
 
 
 class Collector:
