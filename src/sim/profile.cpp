@@ -59,10 +59,13 @@ double tension_at(const Model& model, const State& s, const std::vector<double>&
 /// What may be spent on raising the friction, so that a string that does not rest is refused after some 15 s: a third by the
 /// scene's elements, the rest by shorter ones.
 constexpr double most_work = 10e6, first_work = 3e6;  // [nodes times iterations]
+/// The same on bringing the scene's weight back to the bit, of all meshes together.
+constexpr double most_weight_work = 5e6;
 
-StaticOutcome solve_within(double& work, const SlidingMotion& sliding, RigAtRest& rig, double first_share)
+StaticOutcome solve_within(double& work, const SlidingMotion& sliding, RigAtRest& rig, double first_share,
+                           int most_iterations = most_static_iterations)
 {
-  const double most = std::clamp(work / rig.model->nodes(), 1.0, 1.0 * most_static_iterations);
+  const double most = std::clamp(work / rig.model->nodes(), 1.0, 1.0 * most_iterations);
   StaticOutcome outcome = solve_static(*rig.model, rig.state, sliding, static_cast<int>(most), first_share);
   work -= 1.0 * outcome.iterations * rig.model->nodes();
   return outcome;
@@ -101,19 +104,27 @@ StaticOutcome slide(const SlidingMotion& sliding, double first_share, double& wo
   return at_once;
 }
 
+/// What is left of the work.
+struct StaticWork
+{
+  double friction = 0.0, weight = most_weight_work;
+};
+
 /// Slips the string on until the bit carries the scene's weight again, or none as in the scene, which friction has changed: by
 /// secants, for friction holds part of what is slipped on, and by halves where so much at once finds no equilibrium.
-StaticOutcome hold_weight(const Scene& scene, const SlidingMotion& sliding, double first_share, double& work, RigAtRest& rig)
+StaticOutcome hold_weight(const Scene& scene, const SlidingMotion& sliding, double first_share, StaticWork& work, RigAtRest& rig)
 {
   constexpr int most_rounds = 20, most_tried = 500;
   constexpr double least_slip = 1e-3;                                                         // [m]
   const double wanted = scene.start.weight_on_bit, tolerance = std::max(1e-4 * wanted, 1.0);  // [N]
-  StaticOutcome outcome = slide(sliding, first_share, work, rig);
+  StaticOutcome outcome = slide(sliding, first_share, work.friction, rig);
   if (!outcome.converged) return outcome;
-  LengthSearch slipped_on;  // of the top, down from the table: what is slipped on comes to the bit as weight
-  for (int round = 0; round < most_rounds; ++round)
+  double weight = outcome.forces.wob;  // of the last equilibrium
+  LengthSearch slipped_on;             // of the top, down from the table: what is slipped on comes to the bit as weight
+  for (int round = 0; round < most_rounds && work.weight > 0.0; ++round)
   {
-    if (std::abs(outcome.forces.wob - wanted) < tolerance) return outcome;
+    weight = outcome.forces.wob;
+    if (std::abs(weight - wanted) < tolerance) return outcome;
     const State found = rig.state;
     const double top = found.nodes.back().position.z();
     double slip = slipped_on.next(-top, weight_error(scene, rig, outcome.forces.wob)) + top;
@@ -121,17 +132,18 @@ StaticOutcome hold_weight(const Scene& scene, const SlidingMotion& sliding, doub
     {
       rig.state = found;
       put_top(top - slip, rig.state);
-      outcome = solve_static(*rig.model, rig.state, sliding, most_tried);
+      outcome = solve_within(work.weight, sliding, rig, 1.0, most_tried);
       slip *= 0.5;
-    } while (!outcome.converged && std::abs(slip) > least_slip);
-    if (outcome.converged) continue;
+    } while (!outcome.converged && std::abs(slip) > least_slip && work.weight > 0.0);
+    if (outcome.converged || work.weight <= 0.0) continue;
     rig.state = found;
     put_top(top - 2.0 * slip, rig.state);
-    return solve_static(*rig.model, rig.state, sliding);
+    return solve_within(work.weight, sliding, rig, 1.0);
   }
+  if (outcome.converged && std::abs(outcome.forces.wob - wanted) < tolerance) return outcome;
   std::ostringstream message;
-  message << "static: no equilibrium found with the scene's weight on bit for this motion: " << outcome.forces.wob
-          << " N instead of " << wanted << " N";
+  message << "static: no equilibrium found with the scene's weight on bit for this motion: " << weight << " N instead of "
+          << wanted << " N";
   throw std::runtime_error(message.str());
 }
 
@@ -228,7 +240,7 @@ void fill_profile(const Model& model, const State& s, const RigForces& forces, S
 namespace
 {
 /// Loads and doubts only, where there is no equilibrium.
-StaticReport report_on(const Scene& scene, const SlidingMotion& sliding, double first_share, double& work)
+StaticReport report_on(const Scene& scene, const SlidingMotion& sliding, double first_share, StaticWork& work)
 {
   RigAtRest rig = build_at_rest(scene);
   StaticReport report;
@@ -282,7 +294,8 @@ StaticReport static_report(const Scene& scene, const SlidingMotion& sliding)
 {
   Scene meshed = scene, finer = scene;
   const bool pushed = pushed_length(scene) > 0.0;
-  double refined = 0.0, first_share = 1.0, work = refine(finer.numerics, pushed) ? first_work : most_work;
+  double refined = 0.0, first_share = 1.0;
+  StaticWork work{refine(finer.numerics, pushed) ? first_work : most_work};
   std::optional<StaticReport> best;
   while (true)
   {
@@ -292,8 +305,8 @@ StaticReport static_report(const Scene& scene, const SlidingMotion& sliding)
     if (!best || report.outcome.converged || (!best->outcome.converged && report.outcome.share > best->outcome.share))
       best = report;
     if (report.outcome.converged && report.accuracy.doubt != AccuracyDoubt::compression) break;
-    if (refined == 0.0) work += most_work - first_work;
-    if (work <= 0.0 || !refine(meshed.numerics, pushed)) break;
+    if (refined == 0.0) work.friction += most_work - first_work;
+    if (work.friction <= 0.0 || !refine(meshed.numerics, pushed)) break;
     refined = pushed ? meshed.numerics.pushed_element_length : meshed.numerics.element_length;
     first_share = report.outcome.gradual ? gradual_share : 1.0;
   }

@@ -161,4 +161,32 @@ TEST(StaticReport, aStringThatMustBePushedIn)
   EXPECT_GT(slacked_off(300.0, 1800.0, 0.20).hook_load_string, 30e3);
   EXPECT_LT(slacked_off(300.0, 1800.0, 0.30).hook_load_string, -30e3);
 }
+// A weight that buckled pipe cannot bring to the bit: the search ends by its work, some 15 s, not after minutes.
+TEST(StaticReport, aWeightThatDoesNotReachTheBit)
+{
+  Scene scene = scene_in(
+      {{0.0, 0.0, 0.0}, {823.4, 0.0, 0.0}, {1367.6, 88.8 * degree, 20.0 * degree}, {2925.3, 88.8 * degree, 20.0 * degree}},
+      2924.3, 2924.3, 0.289);
+  PartSpec collars = collar_part(2, 9.4);
+  collars.outer_diameter = 0.121;
+  collars.inner_diameter = 0.0572;
+  collars.linear_mass = 69.0;
+  scene.string.insert(scene.string.begin() + 1, collars);
+  PartSpec& pipe = scene.string.back();
+  pipe.outer_diameter = pipe.pipe->tool_joint_diameter = 0.0889;
+  pipe.inner_diameter = 0.0702;
+  pipe.linear_mass = 19.8;
+  scene.mud.density = 1200.0;
+  scene.start.weight_on_bit = 30e3;
+  try
+  {
+    static_report(scene, sliding_down);
+    FAIL() << "accepted";
+  }
+  catch (const std::runtime_error& error)
+  {
+    EXPECT_NE(std::string(error.what()).find("with the scene's weight on bit for this motion"), std::string::npos)
+        << error.what();
+  }
+}
 }  // namespace test_sim_static_report
