@@ -28,8 +28,8 @@ FlagSense sense_of(const std::string& word)
 {
   static const Set status = {"status", "flag", "flags", "comment", "comments", "remark", "remarks", "note", "notes"},
                    quality = {"quality", "qc", "qa", "qaqc", "qf", "qflag", "qcflag", "dqf", "qualityflag", "dataquality"},
-                   good = {"valid", "validity", "isvalid", "accepted", "acceptance", "ok",
-                           "good",  "pass",     "passed",  "use",      "usable"},
+                   good = {"valid", "validity", "isvalid", "accepted", "acc", "acceptance",
+                           "ok",    "good",     "pass",    "passed",   "use", "usable"},
                    bad = {"bad",      "isbad",   "invalid",      "rejected", "reject",
                           "excluded", "suspect", "questionable", "ignore",   "outlier"};
   return is_in(bad, word)       ? FlagSense::bad_if_true
@@ -195,6 +195,7 @@ public:
       const auto number = number_in(text);
       if (number && !stands_for_null(*number)) codes_.push_back(*number);
       has_nulls_ = has_nulls_ || (number && stands_for_null(*number));
+      names_good_ = names_good_ || (is_of_quality(text) && meaning_of_words(text) == FlagMeaning::good);
     }
     has_blanks_ = texts_.size() < cells.size();
   }
@@ -207,7 +208,8 @@ public:
     if (const auto truth = meaning_of_truth(sense_, text)) return *truth;
     if (const auto number = number_in(text)) return meaning_of_number(*number);
     if (text.size() == 1) return meaning_of_letter(text, texts_).value_or(FlagMeaning::other);
-    return sense_ == FlagSense::status && !is_of_quality(text) ? FlagMeaning::other : meaning_of_words(text);
+    const bool speaks_of_quality = sense_ != FlagSense::status || names_good_ || is_of_quality(text);
+    return speaks_of_quality ? meaning_of_words(text) : FlagMeaning::other;
   }
 
 private:
@@ -224,7 +226,7 @@ private:
   FlagSense sense_;
   std::vector<std::string> texts_;  // that are not blank
   std::vector<double> codes_;       // numbers that stand for no null
-  bool has_nulls_ = false, has_blanks_ = false;
+  bool has_nulls_ = false, has_blanks_ = false, names_good_ = false;
 };
 }  // namespace
 

@@ -85,10 +85,10 @@ public:
   void leave_out_bad()
   {
     if (is_asked(name_, format_)) return leave_out([&](const std::string& cell) { return !is_good(cell); }, "");
-    const FlagSense sense = flag_name(bare_name(name_)).sense;
-    if (sense == FlagSense::none) return;
+    const FlagSense named = flag_name(bare_name(name_)).sense, sense = named == FlagSense::none ? FlagSense::status : named;
     const FlagCells cells = flag_cells(sense, kinds_);
-    if (!cells.known) return say_unclear(sense, cells);
+    if (!cells.known && named != FlagSense::none) say_unclear(sense, cells);
+    if (!cells.known) return;
     const auto means = [&](const std::string& cell, FlagMeaning meaning)
     {
       const auto kind = std::find(kinds_.begin(), kinds_.end(), cell) - kinds_.begin();

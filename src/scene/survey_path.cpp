@@ -9,7 +9,8 @@ namespace
 {
 SurveyPath path_of_word(const std::string& word)
 {
-  static const std::set<std::string> planned = {"plan", "planned", "proposal", "proposed", "wellplan", "wellplanned"},
+  static const std::set<std::string> planned = {"plan",   "planned",  "proposal",  "proposed",  "wellplan",
+                                                "design", "designed", "prognosis", "prognosed", "target"},
                                      actual = {"actual", "actuals", "act", "asdrilled", "drilled"};
   return planned.count(word) > 0 ? SurveyPath::planned : actual.count(word) > 0 ? SurveyPath::actual : SurveyPath::unsaid;
 }

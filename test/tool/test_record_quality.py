@@ -58,7 +58,7 @@ class Rows(Folder):
 
 class Columns(Folder):
     def test_of_a_signal(self):
-        for flags in ("HKLD_QC", "Hook Load Quality", "QC Hook Load", "HookLoadStatus", "hook load valid"):
+        for flags in ("HKLD_QC", "Hook Load Quality", "QC Hook Load", "HookLoadStatus", "hook load valid", "Hook Load (klbf) Quality"):
             good, bad = ("1", "0") if "valid" in flags else ("good", "bad")
             record = self.read("Time (s),Hook Load (klbf),%s,Block Height (ft)\n" % flags + "".join("%g,%g,%s,%g\n" % (time, load if k != 2 else 5.0, bad if k == 2 else good, block)
                                                                                                 for k, (time, load, block) in enumerate(ROWS)))

@@ -147,6 +147,7 @@ class Files(Folder):
             found = "\n".join(self.read(header % units + lines).remarks)
             self.assertEqual(said is not None, "is its unit right" in found, found)
             self.assertIn(said or "", found)
+        self.assertIn("flow: its largest value is 0.139 m3/s, more than the pumps of a rig deliver", "\n".join(self.read(header % ("klbf", "ft", "psi") + lines.replace(",500", ",2200")).remarks))
         self.assertIn("block_height: its largest value is 66 m, higher than masts are", "\n".join(self.read(header % ("klbf", "m", "psi") + lines.replace(",65,", ",66,")).remarks))
         self.refused('format: "%y-%m-%d %H:%M:%S" or "%d-%m-%y %H:%M:%S"', "Time,Hook Load (klbf),Block Height (ft)\n" + rows("%(t)s,%(h)s,%(b)s", "%d-%m-%y %H:%M:%S"))
 

@@ -69,6 +69,7 @@ TEST(QualityFlags, Status)
   EXPECT_EQ("oob", meanings(FlagSense::status, {"Drilling", "Wait on bad weather", "BAD"}));
   EXPECT_EQ("obb", meanings(FlagSense::status, {"Bad hole", "Bad data", "Rejected: high dip"}));
   EXPECT_EQ("ob", meanings(FlagSense::status, {"MWD", "DO NOT USE"}));
+  EXPECT_EQ("gb", meanings(FlagSense::status, {"Good", "Bad Mag"})) << "a column of quality";
   EXPECT_EQ("oo?", meanings(FlagSense::status, {"In slips", "Drilling"}));
   EXPECT_EQ("oooo?", meanings(FlagSense::status, {"1", "4", "7", "999"})) << "codes of what the rig does";
 }

@@ -42,7 +42,8 @@ TEST(SurveyMarks, BadStationsAreLeftOut)
   for (const std::string& text :
        {marked("Status", "Definitive", "BAD"), marked("Status", "", "REJECTED"), marked("QC", "Pass", "Fail"),
         marked("QC", "P", "F"), marked("Survey Status", "ok", "Suspect"), marked("Data Quality", "good", "questionable"),
-        marked("QC", "1", "999"), marked("Accepted", "Y", "N"), marked("Valid", "1", "0"), marked("Rejected", "false", "true"),
+        marked("QC", "1", "999"), marked("Accepted", "Y", "N"), marked("Acc", "A", "R"), marked("Status", "Good", "Bad Mag"),
+        marked("Survey Type", "Definitive", "Rejected"), marked("Valid", "1", "0"), marked("Rejected", "false", "true"),
         marked("Inc QC", "good", "bad"), marked("Comments", "MWD", "BAD SURVEY"), marked("Comment", "", "do not use"),
         marked("OPC Quality", "192", "0")})
   {
@@ -92,7 +93,10 @@ TEST(SurveyMarks, PlanBesideActual)
   const std::string brackets =
       "MD (plan) (m),Inc (plan) (deg),Azi (plan) (deg),MD (actual) (m),Inc (actual) (deg),"
       "Azi (actual) (deg)\n0,0,0,0,0,0\n500,10,45,510,11,46\n";
-  for (const std::string& text : {columns, groups, brackets})
+  const std::string design =
+      "MD (m),Inc (deg),Azi (deg),Design MD (m),Target Inc (deg),Prognosed Azi (deg)\n0,0,0,0,0,0\n510,11,46,"
+      "500,10,45\n";
+  for (const std::string& text : {columns, groups, brackets, design})
   {
     expect_station(read(text).stations.at(1), 510.0, 11.0, 46.0);
     expect_station(read(text, of_plan()).stations.at(1), 500.0, 10.0, 45.0);

@@ -2,6 +2,7 @@
 """Columns that mark the values beside them as good or bad (`QC`, `Hook Load Quality`, `Status`): what is marked bad is no measurement. The words and names are those of
 surveys (scene/quality_flags.h)."""
 import functools
+import re
 
 from drill_rig_sim.field.cells import is_number
 from drill_rig_sim.field.signals import OWN, RANKS, word
@@ -10,13 +11,19 @@ from drill_rig_sim.refusal import Refusal
 
 MOST_CODES = 8  # different numbers of a column of flags; more are a measure of quality, as per cent
 MOST_SHOWN = 4  # different cells in a message
+BRACKETS = re.compile(r"[(\[{<][^()\[\]{}<>]*[)\]}>]")
 ROW = -1        # the place of what is of the whole row
 
 
 @functools.lru_cache(maxsize=None)
 def flag_name(name):
     """(sense of a column of flags, "" where the name is none; what else the name says, "" where it is of the row)."""
-    return of_module().flag_name(bare(name))
+    return of_module().flag_name(without_brackets(name))
+
+
+def without_brackets(name):
+    """Of `Hook Load (klbf) Quality` too."""
+    return BRACKETS.sub(" ", name)
 
 
 def of_module():
@@ -86,7 +93,7 @@ def meanings_of(table, place, kinds, remarks):
     """Of the different cells of a column; none where these say nothing. RecordError where the name is that of flags alone and which of them are bad cannot be known;
     a line where it may be another. What a rig does and a measure of quality, as in per cent, are no flags."""
     name, sense = table.names[place], flag_name(table.names[place])[0]
-    meanings, known, unclear = of_module().flag_cells(bare(name), kinds)
+    meanings, known, unclear = of_module().flag_cells(without_brackets(name), kinds)
     if known:
         return dict(zip(kinds, meanings))
     codes = all(is_number(kind) for kind in kinds if kind)

@@ -21,7 +21,7 @@ LEAST_LOAD, HIGHEST_BLOCK, LONGEST_WAY = 5e3, 65.0, 55.0  # of a rig [N], of its
 LEAST_PIPE, LEAST_CONNECTIONS = 5.0, 2  # of pipe that is added or taken away at a time [m]
 IN_FEET = ((29.8, 34.0), (45.0, 130.0))  # lengths of joints and stands in feet that none of them has in metres: 30 to 33, and above 45
 STANDS = 0.01  # by which the bit may move from row to row while pipe is added [m]
-LEAST_PRESSURE, LEAST_FLOW = 2e4, 3e-3  # of a stand pipe while the pump runs [Pa], [m3/s]
+LEAST_PRESSURE, LEAST_FLOW, MOST_FLOW = 2e4, 3e-3, 0.13  # of a stand pipe while the pump runs [Pa], [m3/s]; more than three pumps deliver [m3/s]
 SPACINGS = (1e-3, 120.0)  # of a record's rows [s]; others are reported
 LONG_GAP, SHORTEST_GAP = 10.0, 5.0  # of rows' distance, and s, from which on a gap is reported
 
@@ -193,6 +193,7 @@ def unlikely(record):
     return high + pipe_in_feet(record) + ["%s: its largest value is %.3g %s, %s; is its unit right?" % (signal, largest(signal), si_unit(signal), why) for signal, so, why in (
         ("hook_load", largest("hook_load") < LEAST_LOAD, "less than a block weighs"),
         ("block_height", largest("block_height") > HIGHEST_BLOCK, "higher than masts are"),
+        ("flow", largest("flow") > MOST_FLOW, "more than the pumps of a rig deliver"),
         ("stand_pipe_pressure", largest("stand_pipe_pressure") < LEAST_PRESSURE and largest("flow") > LEAST_FLOW, "while the pump runs")) if so]
 
 
