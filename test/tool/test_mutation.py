@@ -191,7 +191,7 @@ class Score(unittest.TestCase):
             if file not in faults:
                 with open(os.path.join(SOURCE, file), encoding='utf-8') as source:
                     faults[file] = {(m.before, m.after) for m in mutants.find(file, source.read())}
-            self.assertIn((before, after), faults[file], file)
+            self.assertTrue((before, after) in faults[file], '%s: %s => %s' % (file, before, after))
 
 
 class Usage(unittest.TestCase):
