@@ -131,7 +131,8 @@ CellTemperatures solve_cell(const CellBalance& c, const HeatCell& cell, const Li
   }
   const double sum = c.annulus_held + c.carried + wetted * (1.0 - c.annulus_inlet) - from_inlet * above.b - from_bore * by_outlet;
   const double known = c.annulus_held * annulus + c.wall.drive + cell.annulus_power + from_inlet * above.a + from_bore * fixed;
-  CellTemperatures out;
+  CellTemperatures out{{fixed, 0.0}, {annulus, 0.0}};
+  if (sum <= 0.0) return out;  // no mud there, and no heat that comes or goes
   out.annulus = {known / sum, (c.carried - wetted * c.annulus_inlet + from_bore * by_inlet) / sum};
   out.bore = {fixed + by_outlet * out.annulus.a, by_outlet * out.annulus.b + by_inlet};
   return out;
@@ -181,8 +182,13 @@ void advance_heat(const HeatMud& mud, const HeatCell* cells, std::size_t count, 
     find_rock(mud, cells[i], flow.step, state.annulus_mean[i], &state.rock[rock_rings * i]);
     below = state.annulus[i];
   }
-  for (std::size_t i = 0; i < count; ++i)
+  for (std::size_t i = 0; i < flown; ++i)
     state.bore_mean[i] = balance[i].bore_mean(i > 0 ? state.bore[i - 1] : mud.spec.inlet, state.bore[i]);
+  for (std::size_t i = flown; i < count; ++i)  // a string that is run in there is filled by the mud that it finds
+  {
+    state.bore[i] = state.annulus[i];
+    state.bore_mean[i] = state.annulus_mean[i];
+  }
 }
 
 double stored_heat(const HeatMud& mud, const HeatCell* cells, std::size_t count, const HeatState& state) noexcept

@@ -46,7 +46,7 @@ void print_temperature(const Simulator& simulator, const Printed& printed)
   const SectionLosses& law = model.mud().circuit.law;
   const double friction = law.outer(flow, 0.0, &now.losses).loss;
   const double stand_pipe = law.inner(flow, &now.losses).loss + friction + now.heads.annulus - now.heads.bore;
-  std::printf("temperature %s in the rock at the bit; after %g h at %s %s at the bit, %s in the flow line\n",
+  std::printf("temperature %s in the rock at the bit; after %g h at %s: %s at the bit, %s in the flow line\n",
               degrees(ground_temperature(*scene.temperature, depth), printed).c_str(), hours,
               printed(flow, Dimension::flow, {"%g", "m3/s"}).c_str(), degrees(now.bit, printed).c_str(),
               degrees(now.flow_line, printed).c_str());

@@ -73,7 +73,7 @@ class Units(test_drill.Drill):
         scene = self.file('warm.yaml')
         with open(scene, 'w', encoding='utf-8') as out:
             out.write(WITH_CUTTINGS.replace('cuttings: {}', 'temperature: {}'))
-        pattern = (r'^temperature (\S+) degC in the rock at the bit; after 6 h at 0.04 m3/s (\S+) degC at the bit, (\S+) degC in the flow line\n'
+        pattern = (r'^temperature (\S+) degC in the rock at the bit; after 6 h at 0.04 m3/s: (\S+) degC at the bit, (\S+) degC in the flow line\n'
                    r'            then plastic viscosity (\S+) mPa s at the bit \(15 mPa s at 49 degC\), stand pipe (\S+) MPa, ecd (\S+) kg/m3; '
                    r'at rest at the start (\S+) kg/m3$')
         rock, bit, flow_line, viscosity, stand_pipe, ecd, rest = map(float, re.search(pattern, self.succeed('check', scene), re.M).groups())

@@ -243,4 +243,30 @@ TEST(MudHeat, mudBelowTheBitRests)
   EXPECT_LT(column.state.annulus[59], column.cells[59].ground - 5.0);
   for (std::size_t i = 60; i < 100; ++i) EXPECT_NEAR(column.state.annulus[i], column.cells[i].ground, 1e-9);
 }
+
+TEST(MudHeat, aStringThatIsRunInFindsTheMudOfTheHole)
+{
+  MudTemperatureSpec spec;
+  Column column(spec, 1200.0, 3000.0, 100, 0.2159, 0.127);
+  for (int k = 0; k < 60; ++k) column.advance(0.03, 60.0);  // the bit at the bottom
+  for (std::size_t i = 60; i < 100; ++i) column.cells[i].bore_volume = column.cells[i].steel = column.cells[i].pipe_surface = 0.0;
+  for (int k = 0; k < 600; ++k) advance_heat(column.mud, column.cells.data(), 100, 60, {0.0, 0.0, 60.0}, column.state);  // pulled
+  EXPECT_GT(column.state.annulus[99], column.state.annulus[59]);
+  for (std::size_t i = 60; i < 100; ++i)
+  {
+    EXPECT_EQ(column.state.annulus[i], column.state.bore[i]);
+    EXPECT_EQ(column.state.annulus_mean[i], column.state.bore_mean[i]);
+  }
+}
+
+TEST(MudHeat, aCellWithoutMudAndHeatKeepsItsTemperature)
+{
+  MudTemperatureSpec spec;
+  spec.pipe_coefficient = spec.wall_coefficient = 0.0;
+  Column column(spec, 1200.0, 300.0, 3, 0.2159, 0.127);
+  column.cells[1].annulus_volume = 0.0;
+  column.state.annulus[1] = 40.0;
+  column.advance(0.0, 60.0);
+  EXPECT_EQ(40.0, column.state.annulus[1]);
+}
 }  // namespace test_hydraulics_mud_heat
