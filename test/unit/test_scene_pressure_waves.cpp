@@ -2,43 +2,20 @@
 // mud.pressure_waves: read, written back, hashed; refused without a rheology and beside what it excludes.
 #include <gtest/gtest.h>
 
-#include "drill_rig_sim/scene/read_scene.h"
 #include "drill_rig_sim/scene/scene_hash.h"
 #include "drill_rig_sim/scene/write_scene.h"
+#include "mud_scene.h"
 
 namespace test_scene_pressure_waves
 {
 using namespace drill_rig_sim;
+using namespace mud_scene;
 
 namespace
 {
-const std::string rheology = ", rheology: {law: bingham, plastic_viscosity: 20 cP, yield_point: 15 lb/100ft2}";
-const std::string nozzles = ", nozzles: [12, 12, 13]";
-
-/// The mud's own keys stand at line 4.
-std::string scene_text(const std::string& mud, const std::string& bit = nozzles, const std::string& end = "")
-{
-  return "name: w\nwell: {stations: [[0, 0, 0], [1000, 0, 0]], hole_depth: 1000, sections: [{to: 1000, diameter: 0.2159, "
-         "friction: 0.2}]}\n"
-         "formation: [{to_tvd: 5000, drillability: 1.0e-8}]\nmud: {density: 1200" +
-         mud + "}\nstring:\n  - {name: bit, type: bit, length: 0.3, mass: 50, diameter: 0.2159" + bit +
-         "}\n  - {name: p, type: pipe, joints: fill, joint_length: 9.5, outer_diameter: 0.127, inner_diameter: 0.1086, "
-         "linear_mass: 32}\n"
-         "start: {bit_depth: 990}\n" +
-         end;
-}
-
 std::string refusal(const std::string& text)
 {
-  try
-  {
-    parse_scene(text, "w.yaml");
-  }
-  catch (const SceneError& error)
-  {
-    return error.what();
-  }
-  return "";
+  return refusal_of(text, "w.yaml");
 }
 }  // namespace
 
