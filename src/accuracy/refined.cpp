@@ -19,7 +19,7 @@ NumericsSpec with_free_nodes(NumericsSpec numerics) noexcept
 CompanionKind chosen_companion(const NumericsSpec& numerics) noexcept
 {
   if (numerics.companion != CompanionKind::automatic) return numerics.companion;
-  return numerics.level == Level::automatic && !has_no_levels(numerics.integrator) ? CompanionKind::finer : CompanionKind::none;
+  return numerics.level == Level::automatic && !has_no_levels(numerics.integrator) ? CompanionKind::coarser : CompanionKind::none;
 }
 
 const char* why_not_measured(const NumericsSpec& numerics) noexcept

@@ -19,21 +19,6 @@ constexpr double smallest_change = 1e-7;  // of a root, over the nominal flow: N
 
 using Value = LossTable::Value;
 
-/// Root of a function {value, slope < 0} of any sign.
-template <class Function>
-double signed_root(const Function& value, double guess, double smallest) noexcept
-{
-  const double at_rest = value(0.0).loss;
-  if (at_rest == 0.0) return 0.0;
-  const double sign = at_rest > 0.0 ? 1.0 : -1.0;
-  const auto mirrored = [&](double q)
-  {
-    const Value v = value(sign * q);
-    return Value{sign * v.loss, v.slope};
-  };
-  return sign * falling_root(mirrored, std::max(sign * guess, smallest), smallest);
-}
-
 /// One tick of the waves.
 class Tick
 {
@@ -94,19 +79,22 @@ private:
   }
 
   /// (3): driving = impedance Q + loss(Q), where a gel holds as much as it can.
-  /// @param at_rest  what holds mud without flow beside the gel [Pa]
-  template <class Loss>
-  double flow_between(double driving, double impedance, double gel, double at_rest, const Loss& loss, double guess) const noexcept
+  /// @param creeps  what holds standing mud beside the gel [Pa], the loss of creeping mud: dear, asked only where it matters
+  template <class Creeps, class Loss>
+  double flow_between(double driving, double impedance, double gel, const Creeps& creeps, const Loss& loss,
+                      double guess) const noexcept
   {
     const double net = moves_ ? driving - loss(0.0).loss : driving;
-    if (std::abs(net) <= gel + at_rest) return 0.0;
+    const auto held = [&] { return std::abs(net) <= gel + creeps(); };
+    if (std::abs(net) <= gel || (std::abs(guess) <= creep_ && held())) return 0.0;
     const double sign = net > 0.0 ? 1.0 : -1.0;
     const auto excess = [&](double q)
     {
       const Value here = loss(sign * q);
       return Value{sign * (driving - here.loss) - gel - impedance * q, -impedance - here.slope};
     };
-    return sign * falling_root(excess, std::max(sign * guess, smallest_), smallest_);
+    const double flow = falling_root(excess, std::max(sign * guess, smallest_), smallest_);
+    return flow <= creep_ && held() ? 0.0 : sign * flow;
   }
 
   double displaced_by(std::size_t cell) const noexcept { return waves_.annulus.outside[cell] * loads_.string_speed; }
@@ -147,8 +135,8 @@ private:
       const double before = line.impedance[j - 1], behind = line.impedance[j], against = s_.bore_against[j];
       const double lost = leak_ > 0.0 && j == leak_in_bore_ ? leak_ : 0.0;
       flow = flow_between(
-          arriving - against - before * lost, before + behind, mud_.bore_gel * line.nodes[j].gel, bore_loss(j, creep_).loss,
-          [&](double q) { return bore_loss(j, q); }, flow);
+          arriving - against - before * lost, before + behind, mud_.bore_gel * line.nodes[j].gel,
+          [&] { return bore_loss(j, creep_).loss; }, [&](double q) { return bore_loss(j, q); }, flow);
       s_.bore_against[j - 1] = arriving - 2.0 * before * (flow + lost);
       arriving = std::exchange(s_.bore_with[j], against + 2.0 * behind * flow);
     }
@@ -250,8 +238,8 @@ private:
       const double lost = leak_ > 0.0 && j == leak_in_annulus_ ? leak_ : 0.0;
       const double below = displaced_by(j - 1), above = (j < n ? displaced_by(j) : 0.0) + lost;
       flow = flow_between(
-          arriving - against - before * below - behind * above, before + behind, mud_.annulus_gel * line.nodes[j].gel, 0.0,
-          [&](double q) { return annulus_loss(j, q); }, flow);
+          arriving - against - before * below - behind * above, before + behind, mud_.annulus_gel * line.nodes[j].gel,
+          [] { return 0.0; }, [&](double q) { return annulus_loss(j, q); }, flow);
       s_.annulus_against[j - 1] = arriving - 2.0 * before * (flow + below);
       if (j < n) arriving = std::exchange(s_.annulus_with[j], against + 2.0 * behind * (flow + above));
       flow += lost;

@@ -83,9 +83,9 @@ const Table<NumericsSpec> numerics_keys = {"numerics", "How the equations are so
       [](NumericsSpec& n, int word) { n.companion = static_cast<CompanionKind>(word); },
       [](const NumericsSpec& n) { return static_cast<int>(n.companion); }},
       none, "second model of the rig with the same commands. The difference of the two is the measured error of each output, on "
-          "which `accuracy_warning` depends. finer: elements and steps half as long, three times the computing time of the run. "
-          "coarser: twice as long, half the time, but many false warnings. none: no error is measured. auto: finer where level "
-          "is auto, else none"},
+          "which `accuracy_warning` depends. coarser: elements and steps twice as long, half the computing time of the run. "
+          "finer: half as long, four times its computing time; the measured error is closer to the true one. none: no error "
+          "is measured. auto: coarser where level is auto, else none"},
   {"judge",                 "",       Choice<NumericsSpec>{judge_words,
       [](NumericsSpec& n, int word) { n.judge = static_cast<Judge>(word); },
       [](const NumericsSpec& n) { return static_cast<int>(n.judge); }},

@@ -6,7 +6,7 @@
 - silent: some are, and none had
 - unknown: the finer models do not know themselves well enough there
 
-With a companion (--companion finer) the error that it measured is compared with the true one, by windows of 3 s where both are above a fifth of the
+With a companion the error that it measured is compared with the true one, by windows of 3 s where both are above a fifth of the
 tolerance.
 """
 import concurrent.futures

@@ -12,7 +12,7 @@ NumericsSpec refined(NumericsSpec numerics, double times) noexcept;
 /// The same numerics with free nodes all along the string: level beam3d.
 NumericsSpec with_free_nodes(NumericsSpec numerics) noexcept;
 
-/// What numerics.companion `auto` is: `finer` where the program chooses the level, else `none`.
+/// What numerics.companion `auto` is: `coarser` where the program chooses the level, else `none`.
 CompanionKind chosen_companion(const NumericsSpec& numerics) noexcept;
 
 /// Why the error is not measured, one line in static storage; empty where it is.

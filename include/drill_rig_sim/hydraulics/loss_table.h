@@ -2,6 +2,7 @@
 #ifndef DRILL_RIG_SIM_HYDRAULICS_LOSS_TABLE_H
 #define DRILL_RIG_SIM_HYDRAULICS_LOSS_TABLE_H
 
+#include <cmath>
 #include <functional>
 #include <vector>
 
@@ -44,7 +45,8 @@ private:
 /// Root > 0 of a function that falls with q > 0 and is positive at 0, by Newton's method kept between its bounds.
 /// @param value     {function, its slope < 0} at q
 /// @param guess     > 0
-/// @param smallest  change of q that is none
+/// @param smallest  change of q that is none. After a change d the next one is d^2 f''/(2 f'), at most d^2/(2 q) of losses that
+///                  grow like q^2 or less: it is left out where ten times that is none
 template <class Function>
 double falling_root(const Function& value, double guess, double smallest) noexcept
 {
@@ -55,12 +57,29 @@ double falling_root(const Function& value, double guess, double smallest) noexce
     const LossTable::Value now = value(q);
     (now.loss > 0.0 ? low : high) = q;
     double next = now.slope < 0.0 ? q - now.loss / now.slope : 2.0 * q;
-    if (next - q <= smallest && q - next <= smallest) return next > 0.0 ? next : q;
+    const double change = next - q;
+    if (std::abs(change) <= smallest || (next > low && 5.0 * change * change <= smallest * q)) return next > 0.0 ? next : q;
     if (high > 0.0 && !(next > low && next < high)) next = 0.5 * (low + high);
     if (high == 0.0 && !(next > low && next < 100.0 * q)) next = 2.0 * q;
     q = next;
   }
   return q;
+}
+
+/// The same of a function of any sign at 0.
+/// @param guess  of any sign
+template <class Function>
+double signed_root(const Function& value, double guess, double smallest) noexcept
+{
+  const double at_rest = value(0.0).loss;
+  if (at_rest == 0.0) return 0.0;
+  const double sign = at_rest > 0.0 ? 1.0 : -1.0;
+  const auto mirrored = [&](double q)
+  {
+    const LossTable::Value v = value(sign * q);
+    return LossTable::Value{sign * v.loss, v.slope};
+  };
+  return sign * falling_root(mirrored, std::max(sign * guess, smallest), smallest);
 }
 
 }  // namespace drill_rig_sim
