@@ -145,13 +145,46 @@ class Feet(Folder):
                 time += 10.0
         return "Time (s),Hook Load (klbf),Block Height (m),Bit Depth (m)\n" + "".join("%g,%g,%.3f,%.3f\n" % row for row in rows)
 
+    PIPES = ((28.5, 1.0, None), (28.5, FEET, "farther than blocks do|higher than masts"), (9.45, 1.0, None), (9.45, FEET, "is its unit ft?"), (13.4, 1.0, None),
+             (18.9, 1.0, None), (18.9, FEET, "is its unit ft?"), (38.1, 1.0, None))
+
+    def reported(self, pipe, unit, said, text):
+        with self.subTest(pipe, unit=unit):
+            found = "\n".join(self.read(text).remarks)
+            self.assertEqual(said is not None, "is its unit" in found, found)
+            self.assertTrue(said is None or any(part in found for part in said.split("|")), found)
+
     def test_pipe(self):
-        for pipe, unit, said in ((28.5, 1.0, None), (28.5, FEET, "farther than blocks do|higher than masts"), (9.45, 1.0, None), (9.45, FEET, "is its unit ft?"), (13.4, 1.0, None),
-                                 (18.9, 1.0, None), (18.9, FEET, "is its unit ft?"), (38.1, 1.0, None)):
-            with self.subTest(pipe, unit=unit):
-                found = "\n".join(self.read(self.rig(pipe, unit)).remarks)
-                self.assertEqual(said is not None, "is its unit" in found, found)
-                self.assertTrue(said is None or any(part in found for part in said.split("|")), found)
+        for pipe, unit, said in self.PIPES:
+            self.reported(pipe, unit, said, self.rig(pipe, unit))
+
+    def test_pipe_without_a_bit_depth(self):
+        """The hook load shows where the block moves without the string; the string's weight grows with each stand."""
+        for pipe, unit, said in self.PIPES:
+            lines = [line.rpartition(",")[0] for line in self.rig(pipe, unit).splitlines()]
+            self.reported(pipe, unit, said, "\n".join(lines))
+            for load in (200.0, 190.0):  # never in the slips, and always so
+                self.assertNotIn("is its unit ft?", "\n".join(self.read("\n".join(lines).replace(",20,", ",%g," % load)).remarks))
+
+    def test_pipe_by_the_speed_of_the_block(self):
+        for unit, said in ((1.0, False), (FEET, True)):
+            rows = [[float(cell) for cell in line.split(",")] for line in self.rig(9.45, unit).splitlines()[1:]]
+            time, load, block, _ = numpy.array(rows).T
+            middle = 0.5 * (time[1:] + time[:-1])
+            text = "Time (s),Hook Load (klbf),Block Velocity (m/s)\n" + "".join(
+                "%g,%g,%.5f\n" % row for row in zip(middle, load[1:], numpy.diff(block) / numpy.diff(time)))
+            speeds = "time: {column: Time, unit: s}\nblock_velocity: {column: Block Velocity, unit: m/s}\n"
+            self.assertEqual(said, "block_velocity: 3 times about 3" in "\n".join(self.read(text, speeds).remarks))
+
+    def test_steps_of_depth(self):
+        """Weights at each joint or stand. Lists by 30 m and 100 ft, and stands in metres, are none."""
+        tape = 0.1 * numpy.array([0, 1, -1, 2, 0, -2, 1, 0])  # no two joints are alike
+        for step, off, is_told in ((28.6, tape, False), (28.6 / FEET, tape, True), (9.45, tape, False), (9.45 / FEET, tape, True), (18.9 / FEET, tape, True), (18.9, tape, False), (57.2, tape, False),
+                                   (31.0, 0.0, True), (94.0, 0.0, True), (30.0, 0.0, False), (30.48, 0.0, False), (91.44, 0.0, False), (90.0, 0.0, False)):
+            depths = 2000.0 + step * numpy.arange(8) + off
+            self.file("w.csv", "depth (m),pick_up (kN)\n" + "".join("%.2f,%g\n" % (depth, 0.2 * depth) for depth in depths))
+            entry = plan_of(self.file("fit.yaml", "table: {file: w.csv}\n")).mapping(("table",))["table"]
+            self.assertEqual(is_told, "is its unit ft?" in "\n".join(weights_of(entry, self.folder)[2]), step)
 
 
 if __name__ == "__main__":

@@ -7,6 +7,7 @@ from drill_rig_sim.field.column_finder import AllOf, ByMap, OfTheTrade
 from drill_rig_sim.field.columns import ColumnMap, read_map
 from drill_rig_sim.field.dates import written
 from drill_rig_sim.field.files import begins_with, bytes_of, text_of
+from drill_rig_sim.field.in_feet import pipe_in_feet
 from drill_rig_sim.field.las import read_las
 from drill_rig_sim.field.signal_reader import part_of
 from drill_rig_sim.field.signals import si_unit, word
@@ -18,9 +19,6 @@ MOST_DAYS = 400.0  # that a record may last
 COMPARED = ("hook_load", "torque", "stand_pipe_pressure")  # with what is simulated; the others are played
 BELOW_BOTTOM = 1.0  # from which on a bit below the hole's bottom is reported [m]
 LEAST_LOAD, HIGHEST_BLOCK, LONGEST_WAY = 5e3, 65.0, 55.0  # of a rig [N], of its block and of that's way [m]; others are reported
-LEAST_PIPE, LEAST_CONNECTIONS = 5.0, 2  # of pipe that is added or taken away at a time [m]
-IN_FEET = ((29.8, 34.0), (45.0, 130.0))  # lengths of joints and stands in feet that none of them has in metres: 30 to 33, and above 45
-STANDS = 0.01  # by which the bit may move from row to row while pipe is added [m]
 LEAST_PRESSURE, LEAST_FLOW, MOST_FLOW = 2e4, 3e-3, 0.13  # of a stand pipe while the pump runs [Pa], [m3/s]; more than three pumps deliver [m3/s]
 SPACINGS = (1e-3, 120.0)  # of a record's rows [s]; others are reported
 LONG_GAP, SHORTEST_GAP = 10.0, 5.0  # of rows' distance, and s, from which on a gap is reported
@@ -195,19 +193,6 @@ def unlikely(record):
         ("block_height", largest("block_height") > HIGHEST_BLOCK, "higher than masts are"),
         ("flow", largest("flow") > MOST_FLOW, "more than the pumps of a rig deliver"),
         ("stand_pipe_pressure", largest("stand_pipe_pressure") < LEAST_PRESSURE and largest("flow") > LEAST_FLOW, "while the pump runs")) if so]
-
-
-def pipe_in_feet(record):
-    """A line where the pipe that is added or taken away has a length that joints and stands have in feet and not in metres."""
-    if "bit_depth" not in record or "block_height" not in record:
-        return []
-    bit, block = (numpy.diff(record.at(signal, record.time)) for signal in ("bit_depth", "block_height"))
-    runs = numpy.flatnonzero(numpy.diff(numpy.concatenate(([True], numpy.abs(bit) > STANDS, [True]))))  # the bit stands between each second pair
-    lengths = numpy.array([abs(block[begin:end].sum()) for begin, end in zip(runs[::2], runs[1::2])])
-    lengths = lengths[lengths > LEAST_PIPE]
-    usual = float(numpy.median(lengths)) if len(lengths) >= LEAST_CONNECTIONS else 0.0
-    return ["block_height: %d times about %.3g m of pipe are added or taken away; joints and stands have 8 to 29 m or 35 to 43 m; is its unit ft?" %
-            (len(lengths), usual)] if any(low < usual < high for low, high in IN_FEET) else []
 
 
 def bridged(time, good):

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Weights of a table that no string has: those of 0 or below are left out, others are reported."""
 import numpy
+from drill_rig_sim.field.in_feet import steps_in_feet
 from drill_rig_sim.field.record import LEAST_LOAD
 
 NEIGHBOURS, FAR, DEEPER = 2, 2.5, 2.0  # on each side; as a ratio of the loads, and of the depths up to which loads are compared
@@ -19,8 +20,9 @@ def leave_out_zeros(table, loads):
 
 
 def unlikely(table, depths, loads):
-    """Lines on loads in another unit, on one far from those at similar depths, and on a rotating weight that is not between pick-up and slack-off weight."""
-    lines = []
+    """Lines on depths and loads in another unit, on one far from those at similar depths, and on a rotating weight that is not between pick-up and slack-off weight."""
+    step = steps_in_feet(depths)
+    lines = ["depth: its rows are usually %.4g m apart, as joints and stands are in feet (31, 62 or 93); is its unit ft?" % step] if step else []
     for name, values in loads.items():
         good = numpy.flatnonzero(numpy.isfinite(values))
         if len(good) and not name.startswith("slips") and values[good].max() < LEAST_LOAD:
