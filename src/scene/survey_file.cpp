@@ -39,7 +39,8 @@ SurveyTable read_survey_file(const std::string& file, const SurveyFormat& format
   const bool in_degrees = rows.rows.front().units[survey_inclination] == angle_unit("deg") &&
                           rows.rows.front().units[survey_azimuth] == angle_unit("deg");
   const std::string radians = in_degrees ? like_radians(table.stations) : "";
-  for (const std::string& unlikely : {sharp_turn(table.stations), flat_begin(table.stations), radians})
+  const std::string feet = rows.rows.front().units[survey_md] == length_unit("m") ? like_feet(table.stations) : "";
+  for (const std::string& unlikely : {sharp_turn(table.stations), flat_begin(table.stations), radians, feet})
     if (!unlikely.empty()) table.remarks.push_back(unlikely);
   for (std::string& remark : table.remarks) remark.insert(0, one_line(file) + ": ");
   if (!whole.remark.empty()) table.remarks.insert(table.remarks.begin(), whole.remark);

@@ -68,18 +68,22 @@ public:
   // the rows of the path that is not asked for, where there are two
   void leave_out_other_path()
   {
-    if (!names_path(name_)) return;
+    if (!names_path(name_) || !(any(SurveyPath::planned) || any(SurveyPath::actual))) return;
+    check_unmarked();
+    if (!problems_.empty()) return;
     const SurveyPath other = format_.plan ? SurveyPath::actual : SurveyPath::planned;
     const auto is_other = [&](const std::string& cell)
     {
-      const SurveyPath path = path_of_cell(cell);
+      const SurveyPath path = path_in(cell);
       return path == other || (format_.plan && path == SurveyPath::unsaid);
     };
     const auto count = std::count_if(kinds_.begin(), kinds_.end(), is_other);
-    const bool any_planned = std::any_of(kinds_.begin(), kinds_.end(),
-                                         [](const std::string& cell) { return path_of_cell(cell) == SurveyPath::planned; });
-    if (any_planned && count > 0 && static_cast<std::size_t>(count) < kinds_.size())
+    if (any(SurveyPath::planned) && count > 0 && static_cast<std::size_t>(count) < kinds_.size())
       leave_out(is_other, format_.plan ? "of the plan alone" : "of the drilled well alone");
+    else if (kinds_.size() == 1 && path_in(kinds_[0]) == other)
+      survey_.remarks.push_back("all stations are marked " + shown_mark(kinds_[0]) + " by " + quoted_text(name_) +
+                                ": they are read as the " + (format_.plan ? "plan" : "survey"));
+    if (!format_.plan) list([](const std::string& cell) { return cell.empty(); }, "is", "are", "used as of the drilled well");
   }
 
   void leave_out_bad()
@@ -100,6 +104,36 @@ public:
   }
 
 private:
+  // a comment names a target that the hole goes through
+  SurveyPath path_in(const std::string& cell) const
+  {
+    const Words words = name_words(bare_name(name_));
+    const std::string name = in_one(words, words.size());
+    return (name == "comment" || name == "status") && lowered(trimmed(cell)) == "target" ? SurveyPath::unsaid
+                                                                                         : path_of_cell(cell);
+  }
+
+  bool any(SurveyPath path) const
+  {
+    return std::any_of(kinds_.begin(), kinds_.end(), [&](const std::string& cell) { return path_in(cell) == path; });
+  }
+
+  // A row without a mark may be of the path of the mark above it, as where cells were joined, or of the other one.
+  void check_unmarked()
+  {
+    SurveyPath above = SurveyPath::unsaid;
+    for (const SurveyRow& row : survey_.rows)
+    {
+      const std::string& cell = row.marks[column_];
+      const bool is_clear = above != SurveyPath::planned && !(format_.plan && !any(SurveyPath::planned));
+      if (cell.empty() && !is_clear)
+        return problems_.add_at(row.line, name_,
+                                "has no mark, others are marked planned or actual: of which path the station is, is not known, "
+                                "needed: a mark in every row");
+      if (!cell.empty()) above = path_in(cell);
+    }
+  }
+
   bool is_good(const std::string& cell) const
   {
     std::istringstream good(format_.quality.good);

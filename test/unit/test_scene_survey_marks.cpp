@@ -127,6 +127,59 @@ TEST(SurveyMarks, RowsOfAPlan)
   EXPECT_EQ(4u, read(head + ",Type\n0,0,0,Plan\n500,10,45,Plan\n600,12,45,Plan\n700,14,45,Plan\n").stations.size());
 }
 
+TEST(SurveyMarks, RowsWithoutAMark)
+{
+  const std::string rows[] = {"0,0,0,", "500,10,45,", "600,12,45,", "700,14,45,"};
+  const auto marked = [&](const std::string& name, std::initializer_list<const char*> marks)
+  {
+    std::string text = head + "," + name + "\n";
+    std::size_t k = 0;
+    for (const char* mark : marks) text += rows[k++] + mark + "\n";
+    return text;
+  };
+  // below a mark of the plan: joined cells, or the drilled well
+  const std::string unknown = "of which path the station is, is not known, needed: a mark in every row";
+  EXPECT_TRUE(holds(refusal(marked("Type", {"Plan", "", "", "Actual"})), ":3: Type: has no mark")) << "of a survey";
+  EXPECT_TRUE(holds(refusal(marked("Type", {"Plan", "", "", ""})), unknown));
+  EXPECT_TRUE(holds(refusal(marked("Type", {"Plan", "Plan", "", ""}), of_plan()), unknown));
+  EXPECT_TRUE(holds(refusal(marked("Type", {"Actual", "Actual", "", ""}), of_plan()), unknown)) << "perhaps of the plan";
+  // above all marks of the plan, or below those of the drilled well
+  const SurveyTable ahead = read(marked("Type", {"", "", "Plan", "Plan"}));
+  EXPECT_EQ(2u, ahead.stations.size());
+  EXPECT_TRUE(holds(all_remarks(ahead), "2 stations marked nothing by \"Type\" are used as of the drilled well (lines 2, 3)"));
+  EXPECT_TRUE(holds(all_remarks(ahead), "2 stations marked \"Plan\" by \"Type\" were left out"));
+  const SurveyTable drilled = read(marked("Type", {"Actual", "", "Actual", "Plan"}));
+  EXPECT_EQ(3u, drilled.stations.size());
+  const SurveyTable plan = read(marked("Type", {"Plan", "Plan", "Actual", ""}), of_plan());
+  EXPECT_EQ(2u, plan.stations.size());
+  EXPECT_TRUE(holds(all_remarks(plan), "2 stations marked \"Actual\", nothing by \"Type\" were left out"));
+  EXPECT_TRUE(holds(all_remarks(read(marked("Type", {"Plan", "Plan", "Plan", "Plan"}))),
+                    "all stations are marked \"Plan\" by \"Type\": they are read as the survey"));
+  // a comment is no mark of a path
+  EXPECT_EQ(4u, read(marked("Comment", {"", "KOP", "Target", ""})).stations.size());
+}
+
+// Stations at each stand, in feet under a heading of metres; at even depths, and stands in metres, are none.
+TEST(SurveyMarks, FeetUnderMetres)
+{
+  const auto survey = [](double step, double tape, const char* unit)
+  {
+    std::string text = "MD (" + std::string(unit) + "),Inc (deg),Azi (deg)\n";
+    for (int i = 0; i < 20; ++i)
+    {
+      char row[80];
+      std::snprintf(row, sizeof row, "%.2f,%.2f,%.1f\n", step * i + tape * (i % 3), 0.8 * i, 37.3);
+      text += row;
+    }
+    return all_remarks(read(text));
+  };
+  EXPECT_TRUE(holds(survey(94.1, 0.4, "m"), "its stations are usually 94.5 m apart, as stands are in feet"))
+      << survey(94.1, 0.4, "m");
+  EXPECT_TRUE(holds(survey(62.3, 0.3, "m"), "as stands are in feet"));
+  for (const double step : {28.68, 9.5, 30.0, 90.0, 91.44, 60.96, 57.3, 30.2}) EXPECT_EQ("", survey(step, 0.0, "m")) << step;
+  EXPECT_EQ("", survey(94.1, 0.4, "ft"));
+}
+
 // A build of 3 deg/30 m to 87 deg in azimuths around 217 deg, its angles in radians under a heading of degrees.
 TEST(SurveyMarks, RadiansUnderDegrees)
 {
