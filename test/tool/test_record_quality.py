@@ -187,5 +187,77 @@ class Feet(Folder):
             self.assertEqual(is_told, "is its unit ft?" in "\n".join(weights_of(entry, self.folder)[2]), step)
 
 
+class SaidOfItself(Folder):
+    """A header that says that the values are not measured."""
+    SAID = "says that its values are not measured: "
+
+    def remarks(self, text, name="r.csv"):
+        return "\n".join(self.read(text, name=name).remarks)
+
+    def test_above_the_names(self):
+        rows = HEAD + "\n" + "".join("%g,%g,%g\n" % row for row in ROWS)
+        for line in ("Data Type: Simulated", "# Data Type: Model", "Data Type,Synthetic,", "Well: A-1; Data Source = Forecast; Rig: 4", "SYNTHETIC DATA", "Source: Simulation (run 4)", "Status: Predicted values"):
+            found = self.remarks("Well A-1\n" + line + "\n" + rows)
+            self.assertIn("r.csv: line 2 " + self.SAID, found, line)
+        for line in ("Data Type: Measured", "Rig Model: NOV", "Rig Model,NOV,", "Source: Pason EDR", "Well Plan: rev 4", "Calculated by Pason", "Time log", "Well type: Development", "Data Type: Real time"):
+            self.assertNotIn(self.SAID, self.remarks("Well A-1\n" + line + "\n" + rows), line)
+
+    def test_las(self):
+        rows = "~C\nTIME.S :\nHKLD.KLBF :\nBPOS.FT :\n~A\n" + "".join("%g %g %g\n" % row for row in ROWS)
+        for section, said in (("~P\nDTYP.  SIMULATED : Data type\n", True), ("~O\nData Type: Model\n", True), ("~P\nDTYP.  MEASURED : Data type\nRIG. A : model of the rig\n", False)):
+            text = "~V\nVERS. 2.0 :\nWRAP. NO :\n~W\nSTRT.S 0 :\nNULL. -999.25 :\n" + section + rows
+            self.assertEqual(said, self.SAID in self.remarks(text, "r.las"), section)
+
+    def test_witsml(self):
+        text = ('<logs xmlns="http://www.witsml.org/schemas/1series" version="1.4.1.1"><log><nameWell>a</nameWell><indexType>date time</indexType><indexCurve>TIME</indexCurve>'
+                "<logData><mnemonicList>TIME,HKLD,BPOS</mnemonicList><unitList>s,klbf,ft</unitList>%s</logData>%%s</log></logs>")
+        text %= "".join("<data>2024-05-01T10:00:%02dZ,%g,%g</data>" % row for row in ROWS)
+        for end, said in (("<commonData><itemState>model</itemState></commonData>", True), ("<commonData><itemState>plan</itemState></commonData>", True),
+                          ("<commonData><itemState>actual</itemState></commonData>", False), ("<description>Data Type: Simulated</description>", True), ("<description>Time log</description>", False), ("", False)):
+            self.assertEqual(said, self.SAID in self.remarks(text % end, "r.xml"), end)
+
+
+class Factors(Folder):
+    """Powers of ten in the names of columns and in units."""
+
+    def test_obeyed(self):
+        for name, per in (("Hook Load x1000 (lbf)", 1.0), ("Hook Load (klbf x 10)", 0.1), ("Hook Load (1000 lbf)", 1.0), ("Hook Load x1000 lbf", 1.0), ("Hook Load, x1000 lbf", 1.0), ("Hook Load *0.1 (klbf)", 10.0),
+                          ("Hook Load \u00d710\u00b3 (lbf)", 1.0), ("Hook Load [10^3 lbf]", 1.0), ("Hook Load (lbf*100)", 10.0), ("HKLDx1000 (lbf)", 1.0), ("Hook Load (x1000) (lbf)", 1.0), ("Hook Load 1e3 lbf", 1.0)):
+            record = self.read("Time (s),\"%s\",Block Height (ft)\n" % name + "".join("%g,%.10g,%g\n" % (time, per * load, block) for time, load, block in ROWS))
+            with self.subTest(name):
+                self.right(record)
+                self.assertEqual("x" in name or "*" in name or "\u00d7" in name or "^" in name, "is read in" in "\n".join(record.remarks), record.remarks)
+
+    def test_refused(self):
+        rows = "".join("%g,%g,%g\n" % row for row in ROWS)
+        for name, said in (("Hook Load x1000", "x1000 is a factor without a unit; needed: one behind it, x1000 N"), ("Hook Load (x1000)", "x1000 is a factor without a unit"),
+                           ("Hook Load (lbf/1000)", "unit lbf/1000 is not known for a force; allowed: N"), ("Hook Load (lbf x 7)", "not known for a force")):
+            record = self.read("Time (s),%s,Block Height (ft)\n" % name + rows)
+            self.assertNotIn("hook_load", record)
+            self.assertIn(said, "\n".join(record.remarks))
+        header = "Time (s),Hook Load x1000,Block Height (ft)\n" + rows
+        times = "time: {column: Time, unit: s}\nhook_load: {column: Hook Load x1000, unit: %s}\n"
+        self.refused("the file says a factor (x1000), the map a unit without one (lbf); needed: unit: x1000 lbf, or x1 lbf where the numbers are lbf", header, times % "lbf")
+        self.right(self.read(header, times % "x1000 lbf"))
+        numpy.testing.assert_allclose(self.read(header, times % "x1 klbf").signals["hook_load"][0], 200 * KLBF)
+
+    def test_above_a_line_of_units(self):
+        text = "Time,Hook Load%s,Block Height\ns,%s,ft\n" + "".join("%g,%g,%g\n" % row for row in ROWS)
+        self.right(self.read(text % (" x1000", "lbf")))
+        self.right(self.read(text % ("", "x1000 lbf")))
+        self.assertIn("lbf/1000 is not known", "\n".join(self.read(text % ("", "lbf/1000")).remarks))
+
+    def test_what_is_no_factor(self):
+        """A mean over 10 s; a box of ten."""
+        rows = "".join("%g,%g,%g\n" % row for row in ROWS)
+        self.right(self.read("Time (s),Hook Load (klbf) (10 s),Block Height (ft)\n" + rows))
+        self.right(self.read("Time (s),Hook Load (klbf),Block Height (ft),Box 10,Max10\n" + rows.replace("\n", ",1,2\n")))
+
+    def test_weights(self):
+        self.file("w.csv", "depth (m),pick_up x1000 (lbf)\n1000,100\n1500,120\n")
+        entry = plan_of(self.file("fit.yaml", "table: {file: w.csv}\n")).mapping(("table",))["table"]
+        numpy.testing.assert_allclose(weights_of(entry, self.folder)[1]["pick_up"], [100 * KLBF, 120 * KLBF])
+
+
 if __name__ == "__main__":
     unittest.main()

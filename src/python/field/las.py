@@ -7,6 +7,7 @@ from drill_rig_sim.field.cells import is_number
 from drill_rig_sim.field.channel_sets import NotInTime
 from drill_rig_sim.field.column_finder import DATES
 from drill_rig_sim.field.dates import form_in, is_time_of_day, seconds_of
+from drill_rig_sim.field.said import remark_of
 from drill_rig_sim.field.signals import RANKS, word
 from drill_rig_sim.field.table import RecordError, Table, lines_of, shown
 from drill_rig_sim.field.units import is_unit, same_unit
@@ -14,6 +15,7 @@ from drill_rig_sim.field.units import is_unit, same_unit
 LINE = re.compile(r"([^.:]*)\.((?:\d+ (?=[A-Za-z]))?\S*)(.*)$")  # NAME.UNIT  VALUE; of units `1000 lbf` alone has a blank
 DELIMITERS = {"COMMA": ",", "TAB": "\t"}  # by DLM of ~V; blanks else
 WORD = re.compile(r'"[^"]*"|\S+')
+ABOUT = "VWPO"      # sections on the file, the well, parameters and others
 REPEATED = "PO"  # sections that files have several times: none of them is read
 VERSIONS = ("1.2", "1.20", "2", "2.0", "2.00", "3", "3.0", "3.00")
 # of LAS 3.0: ~Log_Data[1] | Log_Definition[1], ~ASCII | Curve
@@ -39,8 +41,20 @@ def read_las(file, text, times=()):
             passed.append((number, reason))
     if not tables:
         raise RecordError("%s: %s" % (file, passed[0][1] if passed else "has no section of a log with its curves; needed: ~Log_Data and ~Log_Definition, or ~ASCII and ~Curve"))
-    tables[0].remarks += ["log %d is skipped: %s" % one for one in passed]
+    tables[0].remarks += remark_of(texts_of(sections)) + ["log %d is skipped: %s" % one for one in passed]
     return tables
+
+
+def texts_of(sections):
+    """(line number, text) of what the sections before the curves say of the file: a line as it stands, and its description with its value."""
+    for title, lines in sections:
+        if title[1:2].upper() in ABOUT:
+            for number, line in lines:
+                said, _, description = line.rpartition(":")
+                parts = LINE.match(said)
+                yield number, line
+                if parts:
+                    yield number, "%s: %s" % (description.strip(), parts[3].strip())
 
 
 def logs_of(file, sections):

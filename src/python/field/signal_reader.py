@@ -6,9 +6,9 @@ from drill_rig_sim.field.cells import is_blank, is_foreign_number, is_number
 from drill_rig_sim.field.column_finder import columns_of, form_of_header, zones_in
 from drill_rig_sim.field.dates import elapsed_of, fitting, form_in, forms_for, joined, number_as_time, offset_of, own_offset, seconds_of, zone_said
 from drill_rig_sim.field.quality import take_flags
-from drill_rig_sim.field.signals import SIGNALS, word
+from drill_rig_sim.field.signals import SIGNALS, si_unit, word
 from drill_rig_sim.field.table import RecordError
-from drill_rig_sim.field.units import UnitError, factor_of, is_unit
+from drill_rig_sim.field.units import UnitError, factor_of, is_unit, power_in
 
 NULLS = (-999.0, -999.25, -9999.0, -9999.25, -99999.0, -99999.25, -999999.0, -999999.25)  # as logs write "no number"
 LIKE_NULLS = (999.25, 9999.0, 9999.25, 99999.0, 99999.25, 999999.0, 32767.0, 32768.0, 65535.0)  # a sign was lost, or a counter is full
@@ -218,6 +218,8 @@ def values_of(table, signal, column, nulls, mapped, remarks):
             raise
         remarks.append("%s is left out: %s" % (signal, str(error)[len(table.file) + 2:]))
         return None
+    if power_in(unit)[0] and set("x\u00d7*^X") & set(unit):
+        remarks.append("%s: %s is read in %s: 1 is %.6g %s" % (signal, name, unit, factor, si_unit(signal)))
     raw = numbers_or_refuse(table, name, [row[place] for row in table.rows], (*NULLS, *table.nulls[place], *nulls, *column.nulls), "a number", remarks)
     leave_out_likely_nulls(table, name, raw, remarks)
     values = in_range(table, signal, name, unit, raw, factor, remarks)
@@ -234,7 +236,11 @@ def unit_of(table, place, column, signal):
     quantity = SIGNALS[signal][0]
     try:
         same = factor_of(quantity, column.unit) == factor_of(quantity, said)
-    except UnitError:  # the map's stands where the file's is not known, as M is for minutes
+    except UnitError:  # a factor alone counts
+        if power_in(said + " m")[0] and not power_in(said)[0] and not power_in(column.unit)[0]:
+            raise RecordError("%s: %s: the file says a factor (%s), the map a unit without one (%s); needed: unit: %s %s, or x1 %s where the numbers are %s" %
+                              (table.file, column.names[0], said, column.unit, said, column.unit, column.unit, column.unit))
+        # the map's stands where the file's is not known, as M is for minutes
         same = not is_unit(said) or (signal == "time" and column.unit == "min")
     if not same:
         raise RecordError("%s: %s: the map says %s, the file %s; needed: the same, or no unit in the map" % (table.file, column.names[0], column.unit, said))

@@ -8,6 +8,7 @@ import numpy
 from drill_rig_sim.field.cells import GROUPED, are_groups, first_decimal_comma, first_of_both_signs, first_of_groups, has_point, is_blank, is_number, with_point
 from drill_rig_sim.field.dates import without_zone
 from drill_rig_sim.field.heading import BLANK, CELL, WIDE, Wanted, are_places, heading_of, holds_data, is_line_of_units, name_in, names_in, split
+from drill_rig_sim.field.said import remark_of
 from drill_rig_sim.field.signals import RANKS, SIGNALS, word
 from drill_rig_sim.field.units import is_unit, same_unit
 from drill_rig_sim.refusal import Refusal
@@ -15,6 +16,8 @@ from drill_rig_sim.refusal import Refusal
 BRACKET = re.compile(r"(.*\S)\s*(?:\(([^()]*(?:\([^()]*\)[^()]*)*)\)|\[([^\[\]]*)\]|<([^<>]*)>|\{([^{}]*)\})$")
 WORD = re.compile(r"\S+")  # of a line
 WELLS = set("well wellname wellid wellbore wellborename wellboreid borehole boreholeid uwi api apino apinumber".split())
+FACTOR = re.compile(r"([x\u00d7*])\s*(?:10\s*(?:\^|\*\*)?\s*-?[\d\u2070\u00b9\u00b2\u00b3\u2074-\u2079\u207b]+|1e[+-]?\d|0?\.0*1|10*)(?![\d.])(?:\s+\D+)?$", re.IGNORECASE)  # `x1000`, `*0.1`
+ALL_NAMES = {name for ranks in RANKS.values() for name in ranks}
 SEPARATOR, MOST_PARTS = re.compile(r"\s*[,/_]\s*|\s+(?:-\s+)?"), 4  # before a unit without brackets, and so many of its own: `gal_per_min`
 
 
@@ -87,7 +90,7 @@ def read_delimited(file, text, layout=Layout(), wanted=Wanted()):
     if not names:
         raise RecordError("%s: is empty; needed: a line with the names of the columns, then rows" % file)
     rows = rows_of(file, lines, heading, len(heading.names))
-    units, remarks, table, places = [unit_in(name) for name in names], heading.remarks, [], []
+    units, remarks, table, places = [unit_in(name) for name in names], heading.remarks + remark_of(enumerate(lines[:heading.first], 1)), [], []
     keep, check_well, before, texts = set(wanted.places(names)), OneWell(file, names).check, None, []
     again = Again(file, [names_in(one, heading.delimiter) for one in lines[heading.first:heading.last + 1]] + [heading.names], wanted)
     for line, cells in rows:
@@ -177,8 +180,10 @@ class Again:
 
 
 def unit_of_both(file, line, name, cell, unit):
-    """Of the line of units and of the column's name; RecordError where they differ."""
+    """Of the line of units and of the column's name, which may hold a factor alone; RecordError where they differ."""
     said = cell.strip(" []()<>{}")
+    if said and unit and FACTOR.fullmatch(unit):
+        return "%s %s" % (unit, said)
     if said and unit and not same_unit(said, unit):
         raise RecordError("%s:%d: the unit of %s is %s here; needed: the same, or one of them" % (file, line, name, said))
     return said or unit
@@ -266,17 +271,35 @@ def bare(name):
 
 
 def parts_of(name):
-    """Name and unit. Of several brackets the unit is the last that is one, else the last; two units that differ are shown both, which is none."""
+    """Name and unit. Of several brackets the unit is the last that is one, else the last; two units that differ are shown both, which is none. A factor stands before
+    the unit: `Torque x100 (ft-lb)` is in x100 ft-lb."""
     rest, inside = apart(name)
+    rest, factor = factor_apart(rest, inside)
     if inside:
         units = [text for text in inside if is_unit(text)]
         differ = any(not same_unit(units[0], other) for other in units[1:])
-        return rest, ", ".join(reversed(units)) if differ else (units or inside)[0] or None
+        unit = ", ".join(reversed(units)) if differ else (units or inside)[0] or None
+        return rest, ("%s %s" % (factor, unit or "")).strip() if factor else unit
+    if factor:
+        return rest, factor
     for sign in list(SEPARATOR.finditer(name))[:-1 - MOST_PARTS:-1]:
         rest, unit = apart(name[:sign.start()])[0], name[sign.end():]
         if any(word(rest) in RANKS[signal] and is_unit(unit, SIGNALS[signal][0]) for signal in RANKS):
             return rest, unit
     return name, None
+
+
+def factor_apart(rest, inside):
+    """A name without the factor at its end, with a unit behind it perhaps, and these, as `x1000` or `x100 ft-lb`; "" without one. Takes one alone in brackets out of
+    the texts `inside`."""
+    alone = next((text for text in inside if FACTOR.fullmatch(text)), None)
+    if alone is not None:
+        inside.remove(alone)
+        return rest, alone
+    found = FACTOR.search(rest)
+    if found is None or not found.start() or (found[1].lower() == "x" and rest[found.start() - 1].isalnum() and word(rest[:found.start()]) not in ALL_NAMES):
+        return rest, ""
+    return rest[:found.start()].rstrip(" ,_"), found.group()
 
 
 def apart(name):

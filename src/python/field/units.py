@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Units of records, to SI: those of the one table of units (math/unit_table.h), and dates."""
 import functools
+import math
 import re
 
 from drill_rig_sim.field.cells import is_number, with_point
@@ -11,6 +12,12 @@ DATE = "date"  # the cells are dates with a time of the day, not numbers
 # of measured depth, the rotary table's names behind a unit: `ftKB`, `mMD`, `m RKB`
 DATUM = re.compile(r"(.*?\S)\s*(?:md ?)?(?:brkb|bkb|rkb|kb|brt|mdrt|rte|rt|df|md)$", re.IGNORECASE)
 DATES = ("date", "datetime", "date time", "date.time", "iso 8601")
+
+# a power of ten before a unit or behind it: `1000 lbf`, `x1000 lbf`, `klb x 10`, `10^3 N`; small ones have a sign, to differ from a mean over `10 s`
+TEN = r"(10(?:\^|\*\*)-?\d|1e[+-]?\d|\d*\.?\d+)"
+BEFORE, AFTER = re.compile(r"([x\u00d7*]\s*)?%s\s*[x\u00d7*\u00b7]?\s*([a-z%%\u00b0\"'].*)$" % TEN, re.IGNORECASE), re.compile(r"(.*\S)\s*([x\u00d7*])\s*%s$" % TEN, re.IGNORECASE)
+SMALL = 100.0  # from which on a power before a unit needs no sign
+SUPERSCRIPTS = str.maketrans("\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079\u207b", "0123456789-")
 
 WITH_UNIT = re.compile(r"([+-]?[\d.,]*\d[.,]?(?:[eE][+-]?\d+)?)\s*([A-Za-z%\u00b0\"'\u2032\u2033][^\s]*(?: [^\s\d]+)?)$")
 
@@ -38,9 +45,28 @@ def factor_of(quantity, text):
     datum = DATUM.match(exact) if factor is None and quantity == "length" else None
     if datum:
         factor = found(quantity, datum[1])[0]
+    power, unit = power_in(exact) if factor is None else (None, "")
+    if power is not None:
+        factor, problem = found(quantity, unit)
+        factor = factor and power * factor
+    if factor is None and not power_in(exact)[0] and power_in(exact + " m")[0]:
+        raise UnitError("%s is a factor without a unit; needed: one behind it, %s %s" % (exact, exact, problem.rpartition("allowed: ")[2]))
     if factor is None:
         raise UnitError("unit " + problem + (", " + DATE if quantity == "time" else ""))
     return factor
+
+
+def power_in(text):
+    """(power of ten, unit) of a text that holds both, else (None, "")."""
+    plain = re.sub("10([\u2070\u00b9\u00b2\u00b3\u2074-\u2079\u207b]+)", lambda found: "10^" + found[1].translate(SUPERSCRIPTS), text.strip())
+    plain = re.sub(r"(?<=10)\s*(\^|\*\*)\s*", "^", plain)
+    before, after = BEFORE.match(plain), AFTER.match(plain)
+    if before is None and after is None:
+        return None, ""
+    number, unit, sign = (before[2], before[3], before[1]) if before else (after[3], after[1], after[2])
+    power = 10.0 ** float(number[3:]) if "^" in number else float(number)
+    is_power = power > 0.0 and abs(math.log10(power) - round(math.log10(power))) < 1e-9
+    return (power, unit) if is_power and (sign or power >= SMALL) else (None, "")
 
 
 def is_unit(text, *quantities):

@@ -6,6 +6,7 @@ import re
 from drill_rig_sim.field.cells import is_number
 from drill_rig_sim.field.channel_sets import NotInTime, sets_of, table_of_set, wells_of
 from drill_rig_sim.field.files import text_of
+from drill_rig_sim.field.said import not_measured
 from drill_rig_sim.field.signals import RANKS, word
 from drill_rig_sim.field.table import RecordError, Table, shown
 from drill_rig_sim.field.units import same_unit
@@ -37,8 +38,20 @@ def read_witsml(file, data, times=()):
         raise RecordError("%s: %s" % (file, passed[0][1] if passed else "its logs hold no rows"))
     for table in tables:
         table.well = wells[0] if wells else ("", "")
-    tables[0].remarks += remarks + ["log %d is skipped: %s" % one for one in passed]
+    tables[0].remarks += remarks + states_of(logs or [log for log, *_ in sets] + list(root.iter("{*}Log"))) + ["log %d is skipped: %s" % one for one in passed]
     return tables
+
+
+def states_of(logs):
+    """A line where a log reports that its values are not measured: by its state (`actual`, `model`, `plan`; of WITSML 2 `ExistenceKind`) or in words."""
+    for log in logs:
+        state = next((log.findtext(path) for path in ("{*}commonData/{*}itemState", "{*}Existence", "{*}ExistenceKind") if log.findtext(path)), "").strip()
+        texts = ["data type: " + state] if state else []
+        texts += [(log.findtext(path) or "").strip() for path in ("{*}name", "{*}description", "{*}commonData/{*}comments", "{*}Citation/{*}Title", "{*}Citation/{*}Description")]
+        found = next((said for said in map(not_measured, texts) if said), "")
+        if found:
+            return ["its log says that its values are not measured: %s" % found]
+    return []
 
 
 def name_of(element):
