@@ -38,11 +38,20 @@ bool has_digit(const std::string& cell)
   return cell.find_first_of("0123456789") != std::string::npos;
 }
 
-// A row of more cells than its header has decimal commas; delimiters alone at its end do no harm.
-bool has_more_cells(const Cells& cells, std::size_t header)
+bool any_from(const Cells& cells, std::size_t first, bool (*is)(const std::string&))
 {
-  return cells.size() > header && std::any_of(cells.begin() + static_cast<std::ptrdiff_t>(header), cells.end(),
-                                              [](const std::string& cell) { return !cell.empty(); });
+  return cells.size() > first && std::any_of(cells.begin() + static_cast<std::ptrdiff_t>(first), cells.end(), is);
+}
+
+// A row of more cells than its header has decimal commas; a delimiter at its end does no harm. `named`: up to its last name.
+bool has_more_cells(const Cells& cells, std::size_t header, std::size_t named, char delimiter)
+{
+  if (any_from(cells, header, [](const std::string& cell) { return !cell.empty(); })) return true;
+  if (delimiter != ',') return false;
+  const auto is_whole = [](const std::string& cell)
+  { return !cell.empty() && cell.find_first_not_of("0123456789") == std::string::npos; };
+  const bool any_point = any_from(cells, 0, [](const std::string& cell) { return cell.find('.') != std::string::npos; });
+  return !any_point && (cells.size() > header + 1 || any_from(cells, named, is_whole));
 }
 
 // The rows of a table, taken one after the other.
@@ -51,8 +60,9 @@ class Body
 public:
   Body(const std::vector<CsvLine>& lines, const CsvTable& table, const SurveyFormat& format, SurveyRows& survey,
        Problems& problems)
-      : lines_(lines), table_(table), survey_(survey), problems_(problems), wells_(table.header.cells.size())
+      : lines_(lines), table_(table), survey_(survey), problems_(problems), named_(table.header.cells.size()), wells_(named_)
   {
+    while (named_ > 0 && table.header.cells[named_ - 1].text.empty()) --named_;
     for (std::size_t i = 0; i < table.header.cells.size(); ++i)
       if (marks_stations(table.header.cells[i].text, format))
       {
@@ -88,7 +98,8 @@ private:
   bool fits(const Cells& cells) const
   {
     const std::size_t columns = table_.header.cells.size();
-    return !has_more_cells(cells, columns) && (table_.delimiter.character != ' ' || cells.size() == columns);
+    return !has_more_cells(cells, columns, named_, table_.delimiter.character) &&
+           (table_.delimiter.character != ' ' || cells.size() == columns);
   }
 
   std::string cell(const Cells& cells, std::size_t quantity) const
@@ -148,8 +159,9 @@ private:
     {
       const char* hint = table_.delimiter.character == ',' ? ", with decimal points" : "";
       return problems_.add_at(line.number, "",
-                              "has " + std::to_string(cells.size()) + " cells, the header " + std::to_string(columns) +
-                                  ", allowed: the same number" + hint);
+                              "has " + std::to_string(cells.size()) + " cells, the header " +
+                                  std::to_string(cells.size() > columns ? columns : named_) + ", allowed: the same number" +
+                                  hint);
     }
     check_places(line);
     check_well(line, cells);
@@ -190,6 +202,7 @@ private:
   const CsvTable& table_;
   SurveyRows& survey_;
   Problems& problems_;
+  std::size_t named_;                // cells of the header up to the last name
   std::vector<std::size_t> marks_;   // places of SurveyRows::marks
   std::vector<std::string> wells_;   // by column, where it names the well
   const CsvLine* before_ = nullptr;  // the row taken last

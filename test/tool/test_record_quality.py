@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Records with columns that mark values as good or bad, with set points beside readings, and with a block in feet under a heading of metres. See test_record.py."""
+"""Records with columns that mark values as good or bad, with set points beside readings, a block in feet under a heading of metres, factors in names, and lines that
+several delimiters part. See test_record.py."""
 import unittest
 
 import numpy
@@ -257,6 +258,30 @@ class Factors(Folder):
         self.file("w.csv", "depth (m),pick_up x1000 (lbf)\n1000,100\n1500,120\n")
         entry = plan_of(self.file("fit.yaml", "table: {file: w.csv}\n")).mapping(("table",))["table"]
         numpy.testing.assert_allclose(weights_of(entry, self.folder)[1]["pick_up"], [100 * KLBF, 120 * KLBF])
+
+
+class Delimiters(Folder):
+    """Names and rows that may be parted by several signs."""
+
+    def test_the_one_that_parts_names_and_rows(self):
+        lines = "".join("%.1f;%.1f;%.1f\n" % row for row in ROWS).replace(".", ",")
+        self.all_right({"commas in names, by tabs": "Time, s\tHook Load, klbf\tBlock Height, ft\n" + "".join("%g\t%g\t%g\n" % row for row in ROWS),
+                        "commas in names and numbers, by semicolons": "Time, s;Hook Load, klbf;Block Height, ft\n" + lines,
+                        "a title with more commas": "Well A, B, C, D, E, F\nTime (s);Hook Load (klbf);Block Height (ft)\n" + lines,
+                        "a comma and a tab": HEAD.replace(",", ",\t") + "\n" + "".join("%g,\t%g,\t%g\n" % row for row in ROWS),
+                        "a delimiter at the end of rows": HEAD + "\n" + "".join("%g,%g,%g,\n" % row for row in ROWS)})
+
+    def test_refused(self):
+        """Where another sign parts the same lines into other numbers, and where decimal commas may stand between commas."""
+        self.all_refused({
+            "two delimiters": ("Time (s),Hook Load (klbf),x;Time (s);Hook Load (klbf)\n0,200,1;5;300\n5,201,1;9;300\n",
+                               "r.csv:1: names and rows are parted by comma as well as by semicolon, into other numbers; needed: delimiter: "),
+            "decimal commas below names with commas": ("Time, s,Hook Load, klbf,Block Height, ft\n0,0,200,5,30,1\n5,0,201,5,29,1\n",
+                                                       "r.csv:1: its names hold the delimiter, a comma before the unit (s, klbf, ft)"),
+            "decimal commas before empty cells": (HEAD + ",Gas,Temp,x\n0,0,200,5,30,1,,,\n5,0,201,5,29,1,,,\n", "r.csv:2: has 9 cells, the header 6"),
+            "decimal commas below empty names": (HEAD + ",,,\n0,0,200,5,30,1\n5,0,201,5,29,1\n", "r.csv:2: has 6 cells, the header 3")})
+        text = "Time (s),Hook Load (klbf),x;Time (s);Hook Load (klbf)\n0,200,1;5;300\n5,201,1;9;300\n"
+        self.assertEqual([0.0, 5.0], list(self.read(text, "delimiter: comma\n").time + 0.0))
 
 
 if __name__ == "__main__":

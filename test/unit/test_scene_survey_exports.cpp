@@ -193,6 +193,14 @@ TEST(SceneSurvey, InclinationsFromTheHorizontal)
   EXPECT_TRUE(read("MD (m),Inc (deg),Azi (deg)\n0,45,0\n500,50,0\n").remarks.empty());
 }
 
+// A delimiter or a remark at the end of rows does no harm.
+TEST(SceneSurvey, CellsAtTheEndOfRows)
+{
+  EXPECT_EQ(2u, read("MD (m),Inc (deg),Azi (deg)\n0,0,0,\n500,10,45,\n").stations.size());
+  EXPECT_EQ(2u, read("MD (m),Inc (deg),Azi (deg),\n0,0,0,tie-in\n500,10,45,\n").stations.size());
+  EXPECT_EQ(2u, read("MD (m),Inc (deg),Azi (deg)\n0.0,0,0,,\n500.5,10,45,,\n").stations.size());
+}
+
 // Where columns are not aligned, a row may stand anywhere.
 TEST(SceneSurvey, RowsOfAnyWidth)
 {
@@ -209,6 +217,10 @@ TEST(SceneSurvey, ExportsThatAreRefused)
       {"half a bearing", "MD (m),Inc (deg),Azi (deg)\n0,0,0\n500,10,N45\n", ":3: Azi (deg): must be a finite number"},
       {"bearing for inclination", "MD (m),Inc (deg),Azi (deg)\n0,0,0\n500,N10E,45\n", ":3: Inc (deg): must be a finite number"},
       {"bearing in radians", "MD (m),Inc (rad),Azi (rad)\n0,0,0\n500,0.1,N45E\n", ":3: Azi (rad): must be a finite number"},
+      {"decimal commas below empty names", "MD (m),Inc (deg),Azi (deg),,,\n100,0,2,3,45,1\n200,0,3,3,45,2\n",
+       ":2: has 6 cells, the header 3, allowed: the same number, with decimal points"},
+      {"decimal commas before empty cells", "MD (m),Inc (deg),Azi (deg),TVD,VS,DLS\n100,0,2,3,45,1,,,\n200,0,3,3,45,2,,,\n",
+       ":2: has 9 cells, the header 6, allowed: the same number, with decimal points"},
       {"61 minutes",
        "MD (m),Inc (deg),Azi (deg)\n0,0,0\n500,10,45\xc2\xb0"
        "61'\n",

@@ -1,12 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A map: which column of a record holds which signal, in which unit."""
 from drill_rig_sim.campaign.plan_text import PlanError, plan_of
-from drill_rig_sim.field.heading import BLANK, name_in
+from drill_rig_sim.field.heading import name_in
 from drill_rig_sim.field.signals import SIGNALS
-from drill_rig_sim.field.table import Layout, RecordError
+from drill_rig_sim.field.table import DELIMITERS, Layout, RecordError
 from drill_rig_sim.field.units import DATE, UnitError, factor_of
 
-DELIMITERS = {"comma": ",", "semicolon": ";", "tab": "\t", "bar": "|", "blank": BLANK, ",": ",", ";": ";", "\t": "\t", "|": "|"}
 DECIMALS = {"point": ".", "comma": ",", ".": ".", ",": ","}
 LAYOUT_KEYS = ("null", "delimiter", "decimal")
 QUALITY = "quality"  # the key of columns that mark values as good or bad

@@ -9,6 +9,8 @@ from drill_rig_sim.field.units import is_unit, parts_of
 
 MOST_TITLE, MOST_LINES = 50, 10000  # lines before the names of the columns, and with comments
 MOST_NAMES = 3                      # lines over which the names of the columns go
+MOSTLY = 0.8                        # share of the first rows
+SIGNS = ",;\t|"                     # that part cells
 BLANK, WIDE = r"\s+", r"\s{2,}"     # delimiters of columns that are aligned
 CELL = re.compile(r"\S+(?: \S+)*")  # of aligned columns
 DATA = re.compile(r"[+-]?\d[\d.,:/+'eETZ -]*$|.*\d:\d\d")  # a number, a date or a time of the day
@@ -33,29 +35,56 @@ class Wanted:
 
 
 class Heading(typing.NamedTuple):
-    """`first` and `last` line of the names, `delimiter`, `names` and `remarks`. `known`: whether they are those that are wanted."""
+    """`first` and `last` line of the names, `delimiter`, `names` and `remarks`. `known`: how many of them are wanted. `tie`: another delimiter that parts names and rows
+    as well, and differently; else None."""
     first: int
     last: int
     delimiter: str
     names: list
-    known: bool
+    known: int
     remarks: list
+    tie: typing.Optional[str] = None
 
 
 def heading_of(lines, delimiter, wanted):
-    """The Heading of these lines, None where all are empty: the lines whose names `wanted` knows best, else the first that is neither empty nor a comment."""
+    """The Heading of these lines, None where all are empty: the lines whose names `wanted` knows best, else the first that is neither empty nor a comment. Without a
+    delimiter the one that parts names and rows alike."""
     filled = [k for k, line in enumerate(lines[:MOST_LINES]) if line.strip(" \t,;|\"") and not COMMENT.match(line)][:MOST_TITLE]
     if not filled:
         return None
     spans = [(filled[k], filled[k + count - 1]) for count in range(1, MOST_NAMES + 1) for k in range(len(filled) - count + 1)]
+    likely = best_of(lines, spans, delimiter, wanted, filled[0])
+    if delimiter or likely.delimiter in (BLANK, WIDE):
+        return likely
+    same = [(likely.first, likely.last)] if likely.known else spans
+    others = [best_of(lines, same, sign, wanted, filled[0]) for sign in SIGNS if sign != likely.delimiter and any(sign in line for first, last in same for line in lines[first:last + 1])]
+    best = max([likely, *others], key=lambda one: (one.known > 0, fit(lines, one), one.known))
+    alike = [one for one in (likely, *others) if one is not best and one.known == best.known > 0 and fit(lines, one) == fit(lines, best) and cells_below(lines, one) != cells_below(lines, best)]
+    return best._replace(tie=alike[0].delimiter) if alike else best
+
+
+def best_of(lines, spans, delimiter, wanted, top):
+    """A Heading in the first of these spans whose names are known best. `top`: the first line that is filled."""
     names = [names_over(lines, span, delimiter, wanted) for span in spans]
     known = [wanted.count(one) for one in names]
     best = known.index(max(known))  # the first: of fewer lines, then higher up
     first, last = spans[best]
     which = "line %d was" % (first + 1) if first == last else "lines %d to %d were" % (first + 1, last + 1)
-    title = ", the lines before as a title" if first != filled[0] else ""
+    title = ", the lines before as a title" if first != top else ""
     remarks = ["%s read as the names of the columns%s" % (which, title)] if title or first != last else []
-    return Heading(first, last, delimiter_over(lines, (first, last), delimiter), names[best], known[best] > 0, remarks)
+    return Heading(first, last, delimiter_over(lines, (first, last), delimiter), names[best], known[best], remarks)
+
+
+def cells_below(lines, heading):
+    """Of the first rows below a heading."""
+    rows = [line for line in lines[heading.last + 1:heading.last + 1 + MOST_TITLE] if line.strip(" \t,;|\"")]
+    return [[cell.strip() for cell in names_in(line, heading.delimiter)] for line in rows]
+
+
+def fit(lines, heading):
+    """Whether the first rows below a heading have as many cells as it has names, by its delimiter: most of them."""
+    rows = cells_below(lines, heading)
+    return bool(rows) and sum(len(row) == len(heading.names) for row in rows) > MOSTLY * len(rows)
 
 
 def names_over(lines, span, delimiter, wanted):
@@ -159,7 +188,7 @@ def split_by_blanks(lines, delimiter, count):
 
 def likely_delimiter(header):
     """Of comma, semicolon, tab and | the one that stands most often in the header; where there is none, blanks."""
-    best = max(",;\t|", key=header.count)
+    best = max(SIGNS, key=header.count)
     if best in header:
         return best
     return WIDE if re.search(WIDE, header.strip()) else BLANK

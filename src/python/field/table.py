@@ -74,6 +74,9 @@ def shown(names, most=40):
     return ", ".join(name or "(no name)" for name in names[:most]) + (", and %d more" % (len(names) - most) if len(names) > most else "")
 
 
+DELIMITERS = {"comma": ",", "semicolon": ";", "tab": "\t", "bar": "|", "blank": BLANK, ",": ",", ";": ";", "\t": "\t", "|": "|"}
+
+
 class Layout(typing.NamedTuple):
     """`delimiter` of the cells (WIDE, BLANK: blanks align the columns) and `decimal` sign of a delimited file; None where they are to be recognised."""
     delimiter: typing.Optional[str] = None
@@ -89,6 +92,7 @@ def read_delimited(file, text, layout=Layout(), wanted=Wanted()):
     names = without_empty_end(heading.names) if heading else []
     if not names:
         raise RecordError("%s: is empty; needed: a line with the names of the columns, then rows" % file)
+    check_delimiter(file, heading)
     rows = rows_of(file, lines, heading, len(heading.names))
     units, remarks, table, places = [unit_in(name) for name in names], heading.remarks + remark_of(enumerate(lines[:heading.first], 1)), [], []
     keep, check_well, before, texts = set(wanted.places(names)), OneWell(file, names).check, None, []
@@ -102,7 +106,7 @@ def read_delimited(file, text, layout=Layout(), wanted=Wanted()):
         if table and len(cells) < len(names) and not holds_data(cells):
             texts.append(line)
             continue
-        cells = fitted(cells, file, line, names)
+        cells = fitted(cells, file, line, names, len(heading.names))
         if not table and is_line_of_units(cells):
             units = [unit_of_both(file, line, *both) for both in zip(names, cells, units)]
             remarks.append("line %d was read as the units of the columns" % line)
@@ -119,6 +123,17 @@ def read_delimited(file, text, layout=Layout(), wanted=Wanted()):
     found = Table(file, names, units, numbers_with_points(file, table, places, decimal), places, remarks=remarks)
     found.in_any_order = True
     return found
+
+
+def check_delimiter(file, heading):
+    """RecordError where another sign parts the cells as well, or where names hold the delimiter, as commas before units."""
+    called = {sign: name for name, sign in DELIMITERS.items() if name.isalpha()}
+    if heading.tie:
+        raise RecordError("%s:%d: names and rows are parted by %s as well as by %s, into other numbers; needed: delimiter: %s or %s in a map" %
+                          (file, heading.first + 1, *2 * (called[heading.delimiter], called[heading.tie])))
+    units = [unit for name, unit in zip(heading.names, heading.names[1:]) if word(name) in ALL_NAMES and is_unit(unit) and word(unit) not in ALL_NAMES]
+    if heading.delimiter == "," and len(units) > 1:
+        raise RecordError("%s:%d: its names hold the delimiter, a comma before the unit (%s); needed: names in quotes, or units in brackets" % (file, heading.first + 1, shown(units, 4)))
 
 
 class OneWell:
@@ -250,9 +265,10 @@ def without_empty_end(names):
     return names
 
 
-def fitted(cells, file, line, names):
-    """The cells, as many as there are names; RecordError with the line where they are not."""
-    if len(cells) > len(names) and not any(cell.strip() for cell in cells[len(names):]):
+def fitted(cells, file, line, names, most):
+    """The cells, as many as there are names; RecordError with the line where they are not. `most`: cells of the header, empty ones too; a row of whole numbers with two
+    more has perhaps decimal commas."""
+    if len(cells) > len(names) and not any(cell.strip() for cell in cells[len(names):]) and not (len(cells) > most + 1 and not any(map(has_point, cells))):
         return cells[:len(names)]
     if len(cells) != len(names):
         raise RecordError("%s:%d: has %d cells, the header %d (%s); needed: the same number, and texts with a delimiter in quotes" %
