@@ -188,6 +188,24 @@ class Feet(Folder):
             self.assertEqual(is_told, "is its unit ft?" in "\n".join(weights_of(entry, self.folder)[2]), step)
 
 
+class Dates(Folder):
+    def test_names_of_other_languages(self):
+        for name in ("Zeit", "Uhrzeit", "Datum/Zeit", "Zeitstempel", "Fecha y hora", "Heure", "Data/Hora"):
+            record = self.read("%s;Hook Load (klbf);Block Height (ft)\n" % name + "".join("01.05.2024 10:00:%02d;%g;%g\n" % row for row in ROWS).replace(".5;", ",5;").replace(".5\n", ",5\n")
+                               .replace("01.05", "21.05"))
+            self.right(record)
+            self.assertEqual(1716285600.0, record.begin)  # 2024-05-21 10:00 UTC
+
+    def test_a_mean_below_the_rows(self):
+        """Beside dates a text is no time: its row is left out."""
+        rows = "Time,Hook Load (klbf),Block Height (ft)\n" + "".join("2024-05-01T10:00:%02dZ,%g,%g\n" % row for row in ROWS)
+        for end in ("Average,201.6,29.1\n", "Average,,\n", "End of file,,\n"):
+            record = self.read(rows + end)
+            self.right(record)
+            self.assertTrue(any("1 rows have no time" in line or "1 lines of text" in line for line in record.remarks), record.remarks)
+        self.refused("is not a date", rows.replace("2024-05-01T10:00:00Z", "morning"))
+
+
 class SaidOfItself(Folder):
     """A header that says that the values are not measured."""
     SAID = "says that its values are not measured: "
@@ -268,6 +286,7 @@ class Delimiters(Folder):
         self.all_right({"commas in names, by tabs": "Time, s\tHook Load, klbf\tBlock Height, ft\n" + "".join("%g\t%g\t%g\n" % row for row in ROWS),
                         "commas in names and numbers, by semicolons": "Time, s;Hook Load, klbf;Block Height, ft\n" + lines,
                         "a title with more commas": "Well A, B, C, D, E, F\nTime (s);Hook Load (klbf);Block Height (ft)\n" + lines,
+                        "a title before bars": "Well: A-3\nRig: 7\n\n" + HEAD.replace(" (", ", ").replace(")", "").replace("Time, s,", "Time, s|").replace("klbf,", "klbf|") + "\n" + "".join("%g|%g|%g\n" % row for row in ROWS),
                         "a comma and a tab": HEAD.replace(",", ",\t") + "\n" + "".join("%g,\t%g,\t%g\n" % row for row in ROWS),
                         "a delimiter at the end of rows": HEAD + "\n" + "".join("%g,%g,%g,\n" % row for row in ROWS)})
 

@@ -13,7 +13,7 @@ from drill_rig_sim.field.units import DATE, is_unit
 
 ZONES = ("tz", "timezone", "utcoffset", "gmtoffset", "zone")  # columns of time zones
 # columns of their own, of dates and of times of the day
-DATES, TIMES_OF_DAY = ("date", "yyyymmdd", "ddmmyyyy", "mmddyyyy", "datum", "fecha"), ("time", "hhmmss", "timeofday", "clock", "zeit", "uhrzeit", "hora")
+DATES, TIMES_OF_DAY = ("date", "yyyymmdd", "ddmmyyyy", "mmddyyyy", "datum", "fecha"), ("time", "hhmmss", "timeofday", "clock", "zeit", "uhrzeit", "hora", "heure")
 DEPTHS, VERTICAL = ("bit_depth", "hole_depth"), {"tvd", "tvdss", "vert", "vertical"}  # `Hole Depth (TVD)`, `Depth Bit (vert)`
 EXTREMES = {"max", "min", "maximum", "minimum"}  # `Hookload (max)`
 # what no gauge has measured: `Flow In (set point)`, `Hook Load (model)`

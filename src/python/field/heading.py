@@ -54,7 +54,7 @@ def heading_of(lines, delimiter, wanted):
         return None
     spans = [(filled[k], filled[k + count - 1]) for count in range(1, MOST_NAMES + 1) for k in range(len(filled) - count + 1)]
     likely = best_of(lines, spans, delimiter, wanted, filled[0])
-    if delimiter or likely.delimiter in (BLANK, WIDE):
+    if delimiter or likely.known and likely.delimiter in (BLANK, WIDE):
         return likely
     same = [(likely.first, likely.last)] if likely.known else spans
     others = [best_of(lines, same, sign, wanted, filled[0]) for sign in SIGNS if sign != likely.delimiter and any(sign in line for first, last in same for line in lines[first:last + 1])]

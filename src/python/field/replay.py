@@ -111,7 +111,7 @@ def beyond_limits(record, rig):
     for signal, most in rig.limits.items():
         rows = numpy.flatnonzero(numpy.abs(record.signals[signal]) > (1.0 + ROUNDS) * most) if signal in record else ()
         if len(rows):
-            unit, per_si, _ = SI[QUANTITIES[signal]]
+            unit, per_si, *_ = SI[QUANTITIES[signal]]
             lines.append("%s is up to %.4g %s, beyond the %.4g %s of the scene's rig in %d rows (first: at %.1f s); is the unit right?" % (
                 signal, per_si * numpy.nanmax(numpy.abs(record.signals[signal])), unit, per_si * most, unit, len(rows), clock(record, rows[0])))
     return lines

@@ -179,7 +179,7 @@ def dates_of(table, cells, column, said):
     """(seconds by row, whether they have a time zone). `said`: the format that the header writes, for dates that need one and have none in the map."""
     found, zones = numpy.full(len(cells), numpy.nan), [None, None]
     for k, cell in enumerate(cells):
-        if not cell:
+        if not cell or (k and is_text(cell)):
             continue
         date = seconds_of(cell, column.form) or (seconds_of(cell, said) if said and not column.form else None)
         if date is None:
@@ -191,6 +191,11 @@ def dates_of(table, cells, column, said):
             raise RecordError("%s: %s: %s has %s time zone, others of this column have %s; needed: all or none" %
                               (table.place(k), column.names[0], cell, "a" if zoned else "no", "none" if zoned else "one"))
     return found, zones[True] is not None
+
+
+def is_text(cell):
+    """Of a cell among dates: `Average`, `End`."""
+    return not any(letter.isdigit() for letter in cell)
 
 
 def no_date(table, k, column, cells):

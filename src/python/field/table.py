@@ -103,7 +103,7 @@ def read_delimited(file, text, layout=Layout(), wanted=Wanted()):
         if heading.known and not table and (are_places(cells) or not holds_data(cells) and not is_line_of_units(cells)):
             remarks.append("line %d is skipped: it holds neither units nor measurements" % line)
             continue
-        if table and len(cells) < len(names) and not holds_data(cells):
+        if table and not holds_data(cells) and (len(cells) < len(names) or sum(map(bool, map(str.strip, cells))) == 1):
             texts.append(line)
             continue
         cells = fitted(cells, file, line, names, len(heading.names))
@@ -297,7 +297,7 @@ def parts_of(name):
         unit = ", ".join(reversed(units)) if differ else (units or inside)[0] or None
         return rest, ("%s %s" % (factor, unit or "")).strip() if factor else unit
     if factor:
-        return rest, factor
+        return apart(rest)[0], factor
     for sign in list(SEPARATOR.finditer(name))[:-1 - MOST_PARTS:-1]:
         rest, unit = apart(name[:sign.start()])[0], name[sign.end():]
         if any(word(rest) in RANKS[signal] and is_unit(unit, SIGNALS[signal][0]) for signal in RANKS):
