@@ -113,12 +113,26 @@ class Weights(Folder):
 class NotMeasured(Folder):
     def test_set_points_are_no_readings(self):
         """`Hook Load (set point)` beside the gauge, and alone."""
-        for words in ("set point", "target", "planned", "model", "SP", "alarm"):
+        for words in ("set point", "target", "planned", "model", "SP", "alarm", "std dev", "delta"):
             head = "Time (s),Hook Load (%s) (klbf),Hook Load (klbf),Block Height (ft)\n" % words
             self.right(self.read(head + "".join("%g,77,%g,%g\n" % row for row in ROWS)))
             record = self.read("Time (s),Hook Load (%s) (klbf),Block Height (ft)\n" % words + "".join("%g,77,%g\n" % (row[0], row[2]) for row in ROWS))
             self.assertNotIn("hook_load", record)
 
+
+    def test_other_lines_than_the_stand_pipe(self):
+        for name in ("SPP (choke)", "Flow In (booster)", "Pump Pressure (cement)", "Bit Depth (lagged)"):
+            unit = "bar" if "P" in name else "lpm" if "Flow" in name else "m"
+            record = self.read("Time (s),Hook Load (klbf),Block Height (ft),%s (%s)\n" % (name, unit) + "".join("%g,%g,%g,100\n" % row for row in ROWS))
+            self.right(record)
+            self.assertEqual({"time", "hook_load", "block_height"}, set(record.signals), name)
+
+    def test_what_else_brackets_say(self):
+        """It may change the numbers: reported, but for words that every rig uses."""
+        for words, said in (("excl. block", True), ("tared", True), ("avg", False), ("surface", False), ("average of 5 s", True), ("raw", False)):
+            record = self.read("Time (s),Hook Load (%s) (klbf),Block Height (ft)\n" % words + "".join("%g,%g,%g\n" % row for row in ROWS))
+            self.right(record)
+            self.assertEqual(said, "hook_load: (%s) in the name of Hook Load (%s) (klbf) is not taken into account" % (words, words) in "\n".join(record.remarks), words)
 
     def test_downhole_tools_are_none_of_the_rig(self):
         for name in ("Hook Load (MWD)", "Hook Load (downhole)"):

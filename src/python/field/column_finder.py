@@ -8,17 +8,21 @@ from drill_rig_sim.field.dates import EARLIEST, fitting, form_said, is_time_of_d
 from drill_rig_sim.field.heading import Wanted
 from drill_rig_sim.field.quality import flags_in
 from drill_rig_sim.field.signals import NAMES, OWN, known, si_unit, word
-from drill_rig_sim.field.table import RecordError, bare, shown
+from drill_rig_sim.field.table import RecordError, apart, bare, shown, unit_in
 from drill_rig_sim.field.units import DATE, is_unit
 
 ZONES = ("tz", "timezone", "utcoffset", "gmtoffset", "zone")  # columns of time zones
 # columns of their own, of dates and of times of the day
 DATES, TIMES_OF_DAY = ("date", "yyyymmdd", "ddmmyyyy", "mmddyyyy", "datum", "fecha"), ("time", "hhmmss", "timeofday", "clock", "zeit", "uhrzeit", "hora", "heure")
-DEPTHS, VERTICAL = ("bit_depth", "hole_depth"), {"tvd", "tvdss", "vert", "vertical"}  # `Hole Depth (TVD)`, `Depth Bit (vert)`
+DEPTHS, VERTICAL = ("bit_depth", "hole_depth"), {"tvd", "tvdss", "vert", "vertical", "lag", "lagged"}  # `Hole Depth (TVD)`, `Depth Bit (vert)`
 EXTREMES = {"max", "min", "maximum", "minimum"}  # `Hookload (max)`
 # what no gauge has measured: `Flow In (set point)`, `Hook Load (model)`
-NOT_MEASURED = set("set setpoint sp target plan planned model modelled modeled simulated predicted expected theoretical calculated limit alarm".split())
-DOWNHOLE = set("mwd lwd downhole dh bit bha motor annular annulus".split())  # `Torque (MWD)`, but of depths
+NOT_MEASURED = set("set setpoint sp target plan planned model modelled modeled simulated predicted expected theoretical calculated limit alarm "
+                   "std stdev sd deviation variance rms delta derivative change error".split())
+DOWNHOLE = set("mwd lwd downhole dh bit bha motor annular annulus choke kill cement cementing booster boost riser bypass".split())  # `Torque (MWD)`, but of depths
+# what else names in brackets say that changes no number
+HARMLESS = set("avg average averaged mean ave surface surf meas measured md gauge sensor reading readings raw rig instantaneous inst current actual act real time realtime total in into well hole string "
+               "top drive td rotary pump pumps pipe drill block hook bit depth along ahd live edr primary main value s sec second seconds min utc gmt".split())
 MOST_SHOWN = 12  # names of columns in a line
 TRUTH = {"time", "hook_load", "bit_torque", "bit_up"}  # names that drill run --csv writes and no rig
 
@@ -117,6 +121,7 @@ def known_columns(table, remarks, mapped, taken):
             found[signal] = Column([table.names[(filled or with_unit)[0]]])
             passed = [table.names[place] for place in places if table.names[place] != found[signal].names[0]]
             remarks += ["%s is taken from %s; not used: %s" % (signal, found[signal].names[0], ", ".join(passed))] if passed else []
+            remarks += unread_of(found[signal].names[0], signal)
             remarks += ["%s is read as the flow into the well" % found[signal].names[0]] if word(bare(found[signal].names[0])) == "flow" else []
         elif "rpm" in re.findall("[a-z]+", table.names[places[0]].lower()):
             found[signal] = Column([table.names[places[0]]], "rpm")
@@ -125,6 +130,13 @@ def known_columns(table, remarks, mapped, taken):
             remarks.append("%s: %s is left out: it has no unit; needed: a map, --columns" % (signal, table.names[places[0]]))
     remarks += unknown_names(table, by_signal, mapped, taken)
     return {signal: column for signal, column in found.items() if column is not None}
+
+
+def unread_of(name, signal):
+    """A line on what stands in the brackets of a name, beside its unit, and may change its numbers: `Hook Load (excl. block) (kN)`."""
+    texts = [text for text in apart(name)[1] if not is_unit(text) and set(re.findall("[a-z]+", text.lower())) - HARMLESS]
+    known_unit = unit_in(name)
+    return ["%s: (%s) in the name of %s is not taken into account" % (signal, text, name) for text in texts if text != known_unit]
 
 
 def unknown_names(table, by_signal, mapped, taken):
