@@ -41,7 +41,7 @@ def draw(replay, file, units=SI):
     from drill_rig_sim.score_plots import plt, save  # needs matplotlib
     figure, axes = plt.subplots(2 * len(replay.recorded), sharex=True, figsize=(9.0, 3.6 * len(replay.recorded)), squeeze=False, constrained_layout=True)
     for place, signal in enumerate(replay.recorded):
-        unit, factor, _ = units[QUANTITIES[signal]]
+        unit, factor, *_ = units[QUANTITIES[signal]]
         both, off = axes[2 * place, 0], axes[2 * place + 1, 0]
         both.plot(replay.time, factor * replay.recorded[signal], color="#555555", linewidth=0.9, label="recorded")
         both.plot(replay.time, factor * replay.simulated[signal], color="#1f5fa8", linewidth=0.9, label="simulated")

@@ -38,7 +38,7 @@ std::string build()
   return text;
 }
 
-/// The units that numbers may have, by quantity and spelling: SI units in one of each.
+/// The units that numbers may have, by quantity and spelling: SI units in one of each; without those whose zero is another.
 py::dict units()
 {
   py::dict families;
@@ -48,7 +48,7 @@ py::dict units()
     for (const UnitName& unit : family.units)
     {
       std::istringstream spellings(unit.name + std::string(" ") + unit.spellings);
-      for (std::string spelling; spellings >> spelling;) names[py::str(spelling)] = unit.factor();
+      for (std::string spelling; unit.zero == 0.0L && spellings >> spelling;) names[py::str(spelling)] = unit.factor();
     }
     const std::string quantity = family.quantity;
     families[py::str(quantity.substr(quantity.find(' ') + 1))] = names;

@@ -15,10 +15,11 @@ PSI, GALLON, BARREL = POUND / INCH**2, 231.0 * INCH**3, 9702.0 * INCH**3  # [Pa]
 
 
 class Unit(typing.NamedTuple):
-    """shown = SI * per_si."""
+    """shown = SI * per_si + zero; differences have no zero."""
     name: str
     per_si: float
     digits: int
+    zero: float = 0.0
 
 
 SHOWN = {
@@ -34,7 +35,7 @@ SHOWN = {
     "angle": (Unit("deg", 1.0 / DEGREE, 1), Unit("deg", 1.0 / DEGREE, 1)),
     "density": (Unit("kg/m3", 1.0, 0), Unit("ppg", GALLON / POUND_MASS, 2)),
     "dogleg": (Unit("deg/30 m", 30.0 / DEGREE, 2), Unit("deg/100 ft", 100.0 * FOOT / DEGREE, 2)),
-    "temperature": (Unit("degC", 1.0, 1), Unit("degC", 1.0, 1)),
+    "temperature": (Unit("degC", 1.0, 1), Unit("degF", 1.8, 1, 32.0)),
     "time": (Unit("s", 1.0, 1), Unit("s", 1.0, 1)),
     "share": (Unit("%", 100.0, 1), Unit("%", 100.0, 1)),
     "number": (Unit("", 1.0, 2), Unit("", 1.0, 2)),

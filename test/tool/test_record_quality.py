@@ -7,6 +7,7 @@ import unittest
 import numpy
 from drill_rig_sim.field.fit_plan import weights_of
 from drill_rig_sim.campaign.plan_text import plan_of
+from drill_rig_sim.field.record import RecordError
 from record_folder import FEET, KLBF, ROWS, Folder
 
 HEAD = "Time (s),Hook Load (klbf),Block Height (ft)"
@@ -100,6 +101,24 @@ class Columns(Folder):
 
 
 class Weights(Folder):
+    def read_weights(self, text):
+        self.file("w.csv", text)
+        return weights_of(plan_of(self.file("fit.yaml", "table: {file: w.csv}\n")).mapping(("table",))["table"], self.folder)
+
+    def test_a_model_beside_what_was_measured(self):
+        for names in ("pick_up (kN),pick_up (model) (kN)", "pick_up (kN),pick_up planned (kN)"):
+            depths, found, _, _ = self.read_weights("depth (m),%s\n1000,500,450\n2000,800,650\n" % names)
+            numpy.testing.assert_allclose(found["pick_up"], [500e3, 800e3])
+        depths, _, _, _ = self.read_weights("depth (TVD) (m),depth (MD) (m),pick_up (kN)\n900,1000,500\n1800,2000,800\n")
+        numpy.testing.assert_allclose(depths, [1000.0, 2000.0])
+        with self.assertRaisesRegex(RecordError, "several columns are pick_up: pick_up .kN., pick_up .raw. .kN.; needed: one"):
+            self.read_weights("depth (m),pick_up (kN),pick_up (raw) (kN)\n1000,500,450\n")
+
+    def test_a_title(self):
+        depths, found, remarks, _ = self.read_weights("Data Type: Model\nWell: A-1\ndepth (m),pick_up (kN)\n1000,500\n2000,800\n")
+        numpy.testing.assert_allclose(found["pick_up"], [500e3, 800e3])
+        self.assertIn("w.csv: line 1 says that its values are not measured: Data Type: Model", "\n".join(remarks))
+
     def test_marked_rows_are_left_out(self):
         text = "depth (ft),pick_up (klbf),slack_off (klbf),Status\n3000,100,90,ok\n3500,300,250,BAD\n4000,120,100,ok\n"
         self.file("w.csv", text)

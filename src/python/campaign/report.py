@@ -34,12 +34,23 @@ class Rows:
     def output(self, name, rows=None):
         """Numbers; not a number where a run has none."""
         numbers = [numpy.nan if row["outputs"].get(name) is None else row["outputs"][name] for row in (self.good if rows is None else rows)]
-        return self.shown(name)[0] * numpy.array(numbers, dtype=float)
+        return self.in_units(name, numpy.array(numbers, dtype=float))
 
-    def shown(self, name):
-        """Of an output: the factor from the results' file to what is shown, and the label."""
-        known = None if self.units.system == "si" else shown_as(self.blueprint.outputs[name])
-        return (known[1] * self.units[known[0]].per_si, self.units.label(name, known[0])) if known else (1.0, name)
+    def quantity(self, name):
+        """Of an output, with the factor to SI; None where it is shown as it is in the results' file."""
+        return None if self.units.system == "si" else shown_as(self.blueprint.outputs[name])
+
+    def in_units(self, name, number):
+        """A number of an output as it is shown; a deviation is a difference."""
+        known = self.quantity(name)
+        if not known:
+            return number
+        unit, what = self.units[known[0]], self.blueprint.outputs[name]
+        return known[1] * unit.per_si * number + (0.0 if what.startswith("deviation.") else unit.zero)
+
+    def label_of(self, name):
+        known = self.quantity(name)
+        return self.units.label(name, known[0]) if known else name
 
     def factor(self, name):
         """Its values, as numbers where they are all in one unit."""
@@ -99,7 +110,7 @@ def statistics(rows):
         values = rows.output(name)
         values = values[numpy.isfinite(values)]
         if len(values):
-            lines.append([len(values), *("%.4g" % q for q in (values.mean(), values.std(), *numpy.percentile(values, (0, 5, 50, 95, 100)))), rows.shown(name)[1]])
+            lines.append([len(values), *("%.4g" % q for q in (values.mean(), values.std(), *numpy.percentile(values, (0, 5, 50, 95, 100)))), rows.label_of(name)])
     return table(["runs", "mean", "deviation", "least", "5 %", "median", "95 %", "largest", "output"], lines)
 
 
@@ -114,10 +125,9 @@ def worst(rows, file):
     """The runs, and what shows each of them in rviz."""
     shown = worst_rows(rows)
     name = rows.about["report"]["worst"]
-    factor, label = rows.shown(name)
-    lines = [[row["number"], "%.5g" % (factor * row["outputs"][name]), *row["values"], again.scene_command(file, row["number"])]
+    lines = [[row["number"], "%.5g" % rows.in_units(name, row["outputs"][name]), *row["values"], again.scene_command(file, row["number"])]
              for row in shown]
-    text = table(["run", label, *rows.factors, "its scene"], lines)
+    text = table(["run", rows.label_of(name), *rows.factors, "its scene"], lines)
     if shown:
         text += "<p>%s</p><pre>%s</pre>" % (again_as(rows.blueprint), html.escape("\n".join(again.commands(rows.blueprint, shown[0], file))))
     return text

@@ -47,7 +47,7 @@ def factor_map(rows):
         panel.set_xlabel(rows.label(first))
         panel.set_title("%s %s" % (rows.label(each), name) if each else "", fontsize=9)
     panels[0, 0].set_ylabel(rows.label(second))
-    figure.colorbar(drawn, ax=list(panels[0]), label=rows.shown(output)[1])
+    figure.colorbar(drawn, ax=list(panels[0]), label=rows.label_of(output))
     return figure
 
 
@@ -132,7 +132,7 @@ def histograms(rows):
         panel.set_visible(False)
     for panel, (name, values) in zip(panels.flat, shown):
         panel.hist(values, bins=min(40, max(5, int(len(values)**0.5))), color="#1f5fa8")
-        panel.set_xlabel(rows.shown(name)[1], fontsize=8)
+        panel.set_xlabel(rows.label_of(name), fontsize=8)
         panel.set_ylabel("runs", fontsize=8)
     figure.tight_layout()
     return figure

@@ -1,12 +1,15 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A fit's file: what is fitted to what."""
 import os
+import re
 
 import numpy
 from drill_rig_sim.campaign.plan_text import PlanError, plan_of
 from drill_rig_sim.campaign.scene_text import SceneText, SceneTextError, Times
+from drill_rig_sim.field.column_finder import NOT_MEASURED, VERTICAL
 from drill_rig_sim.field.columns import LAYOUT_KEYS, QUALITY, Column, check_unit, nulls_and_layout, nulls_of, quality_of
 from drill_rig_sim.field.fit import Parameter
+from drill_rig_sim.field.heading import Wanted
 from drill_rig_sim.field.models import MOTIONS, ModelError, Period, RecordModel, TableModel, scene_and_survey
 from drill_rig_sim.field.quality import take_flags
 from drill_rig_sim.field.record import COMPARED, RecordError, prefixed, read_record, read_table
@@ -119,8 +122,8 @@ def weights_of(entry, base):
     parts = entry.mapping(("file", "depth", *MOTIONS, *LAYOUT_KEYS, QUALITY), needed=("file",))
     columns = {name: weight_column(parts[name], name) for name in ("depth", *MOTIONS) if name in parts}
     nulls, layout = nulls_and_layout(parts)
-    table = read_table(os.path.join(base, parts["file"].text()), layout, [column.names[0] for column in columns.values()])
-    columns = columns or {bare(name): Column([name]) for name in table.names if quantity_of(bare(name)) in ("bit_depth", "hook_load")}
+    table = read_table(os.path.join(base, parts["file"].text()), layout, [column.names[0] for column in columns.values()], None if columns else OfWeights())
+    columns = columns or known_columns(table)
     if "depth" not in columns or len(columns) < 2:
         entry.fail("needs depth and one or more of %s; columns of %s: %s" % (", ".join(MOTIONS), table.file, table.header()))
     remarks = list(table.remarks)
@@ -136,6 +139,30 @@ def weights_of(entry, base):
     loads = {name: values for name, values in found.items() if quantity_of(name) == "hook_load"}
     remarks += leave_out_zeros(table, loads)
     return depths, found, prefixed(table.file, remarks + remarks_of(table, found) + unlikely(table, depths, loads)), errors_of(table, nulls)
+
+
+class OfWeights(Wanted):
+    """Names of the columns of a table of weights, where a fit's file names none."""
+
+    def count(self, names):
+        found = [name for name in names if self.is_name(name)]
+        return len(found) if len(found) > 1 and any(bare(name) == "depth" for name in found) else 0
+
+    def is_name(self, name):
+        return quantity_of(bare(name)) is not None
+
+
+def known_columns(table):
+    """Column by depth and weight, of those that were measured. RecordError where two are called alike."""
+    found = {}
+    for name in table.names:
+        what, words = bare(name), set(re.findall("[a-z]+", name.lower()))
+        if quantity_of(what) not in ("bit_depth", "hook_load") or words & (NOT_MEASURED | (VERTICAL if what == "depth" else set())):
+            continue
+        if what in found:
+            raise RecordError("%s: several columns are %s: %s, %s; needed: one, or %s: {column: NAME} in the fit's file" % (table.file, what, found[what].names[0], name, what))
+        found[what] = Column([name])
+    return found
 
 
 def errors_of(table, nulls):

@@ -251,9 +251,9 @@ def tables_of(file, mapping):
     return tables
 
 
-def read_table(file, layout=Layout(), columns=()):
-    """The Table of a delimited file, with all its columns. `columns`: names that its header must have, for files with a title before it."""
+def read_table(file, layout=Layout(), columns=(), wanted=None):
+    """The Table of a delimited file, with all its columns. `columns`: names that its header must have, for files with a title before it, or `wanted`: some of them."""
     text, remarks = text_of(file)
-    table = read_delimited(file, text, layout, AllOf(columns))
+    table = read_delimited(file, text, layout, wanted or AllOf(columns))
     table.remarks += remarks
     return table

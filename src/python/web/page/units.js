@@ -19,11 +19,11 @@ export function unitOf(quantity) {
 }
 
 export function shownValue(quantity, si) {
-  return si === null || si === undefined ? null : si * unitOf(quantity).per_si;
+  return si === null || si === undefined ? null : si * unitOf(quantity).per_si + unitOf(quantity).zero;
 }
 
 export function siValue(quantity, value) {
-  return value / unitOf(quantity).per_si;
+  return (value - unitOf(quantity).zero) / unitOf(quantity).per_si;
 }
 
 export function shownText(quantity, si, digits = unitOf(quantity).digits) {
