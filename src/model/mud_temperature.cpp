@@ -39,6 +39,17 @@ public:
   double top(std::size_t i) const noexcept { return depth_[i]; }
   double foot(std::size_t i) const noexcept { return i + 1 == flown_ ? bit_tvd_ : depth_[i + 1]; }
 
+  /// Of the mud around the bit: its difference from the ground goes over from that of the cell above to that of the bit's cell as
+  /// the bit goes through this. So nothing jumps when mud begins to flow, the bit moves or the hole grows: outlets do not, and
+  /// what rests below the bit has no part in it.
+  double annulus_at_bit(const std::vector<double>& annulus) const noexcept
+  {
+    const auto over_ground = [&](std::size_t i) { return annulus[i] - cells_[i].ground; };
+    const std::size_t here = flown_ - 1, above = here > 0 ? here - 1 : 0;
+    const double share = std::clamp(bit_depth_ / length() - static_cast<double>(here), 0.0, 1.0);
+    return ground_temperature(model_.heat()->spec, bit_tvd_) + share * over_ground(here) + (1.0 - share) * over_ground(above);
+  }
+
   /// Puts what friction dissipates at a flow into the cells; returns what bit and motor do [W].
   double heat_by_friction(double flow) noexcept
   {
@@ -194,7 +205,7 @@ void take_effects(const Model& model, const HeatColumn& column, TemperatureState
   const WarmColumn bore(*model.heat(), column, t.heat.bore_mean), annulus(*model.heat(), column, t.heat.annulus_mean);
   const std::size_t bottom = column.flown() - 1;
   t.heads = {bore.head, annulus.head};
-  t.bit = t.heat.annulus_mean[bottom];
+  t.bit = column.annulus_at_bit(t.heat.annulus);
   t.flow_line = t.heat.annulus.front();
   t.losses.bit_density = bore.density[bottom];
   clear_means(t.in_bore);

@@ -205,6 +205,79 @@ TEST(MudTemperature, warmsAgainAtRest)
   EXPECT_LT(rig.truth().bit_flow, 1e-4);
 }
 
+// The pump starts again after ten minutes; mud of the bore, 20 K colder or so, comes around the bit. A cell of 15 m holds
+// 0.35 m3, of which 0.03 m3 are renewed in a second.
+TEST(MudTemperature, atTheBitDoesNotJump)
+{
+  Scene scene = well(3000.0);
+  scene.temperature->circulated = 6.0 * 3600.0;
+  Simulator rig(scene);
+  rig.command(PumpSetpoint{0.0});
+  play(rig, 600.0);
+  const TemperatureState rested = temperature_of(rig);
+  const std::size_t bottom = static_cast<std::size_t>(2990.0 / rested.cell_length);
+  const double apart = std::abs(rested.heat.annulus[bottom] - rested.heat.bore[bottom]);
+  rig.command(PumpSetpoint{0.03});
+  double last = rig.truth().bottom_hole_temperature, largest = 0.0;
+  const double before = last;
+  for (int k = 0; k < 300; ++k)
+  {
+    play(rig, 1.0);
+    largest = std::max(largest, std::abs(rig.truth().bottom_hole_temperature - last));
+    last = rig.truth().bottom_hole_temperature;
+  }
+  EXPECT_LT(largest, 0.1 * apart + 0.3) << apart << " K between bore and annulus, from " << before << " to " << last;
+  // then it is that of the mud from the bore and what the nozzles dissipate, but for what the lowest cell gains from the rock
+  const TemperatureState t = temperature_of(rig);
+  const double nozzles = nozzle_loss(t.losses.bit_density * 1200.0, 0.03, 4e-4) / (1200.0 * scene.temperature->heat_capacity);
+  EXPECT_NEAR(nozzles, 0.9, 0.1);
+  EXPECT_NEAR(last, t.heat.bore[bottom] + nozzles, 0.4);
+}
+
+// A bit that is pulled through the cells of a hole at rest reads the ground, and through a hole that was circulated no steps.
+TEST(MudTemperature, followsTheBitWithoutSteps)
+{
+  for (const double circulated : {0.0, 6.0 * 3600.0})
+  {
+    Scene scene = well(3000.0);
+    scene.temperature->circulated = circulated;
+    RigAtRest rig = build_at_rest(scene);
+    State& state = rig.state;
+    const Eigen::Vector3d up(0.0, 0.0, 1.0);
+    double last = 0.0;
+    for (int k = 0; k < 400; ++k)
+    {
+      for (NodeState& node : state.nodes) node.position += 0.25 * up;
+      renew_temperature(*rig.model, state);
+      const double now = state.temperature.bit, depth = -state.nodes.front().position.z();
+      const double ground = ground_temperature(*scene.temperature, depth);  // at the bit's face
+      EXPECT_NEAR(now, circulated > 0.0 ? now : ground, 0.01) << depth;
+      EXPECT_NEAR(now, k > 0 ? last : now, 0.05) << depth;
+      last = now;
+    }
+  }
+}
+
+// The bit reads new hole as it grows by cells.
+TEST(MudTemperature, followsNewHoleWithoutSteps)
+{
+  Scene scene = well(1000.0);
+  RigAtRest rig = build_at_rest(scene);
+  rig.state.flow = 0.03;
+  const Eigen::Vector3d down = rig.state.well.end_direction();
+  for (NodeState& node : rig.state.nodes) node.position += 10.0 * down;
+  for (int k = 0; k < 600; ++k) advance_temperature(*rig.model, 60.0, rig.state);
+  double last = rig.state.temperature.bit;
+  for (int k = 0; k < 600; ++k)
+  {
+    rig.state.nodes.front().position += 0.05 * down;
+    rig.state.well.extend(0.05 * down, down);
+    advance_temperature(*rig.model, 1.0, rig.state);
+    EXPECT_LT(std::abs(rig.state.temperature.bit - last), 0.15) << k;  // the first of it holds mud that rested below the bit
+    last = rig.state.temperature.bit;
+  }
+}
+
 TEST(MudTemperature, doesNotDrainABoreThatIsHeavier)
 {
   Scene scene = well(2500.0);

@@ -17,6 +17,9 @@
 /// - Weight: rho of warm_mud.h at the hydrostatic pressure, integrated over the true vertical depth down to the bit. ECD and
 ///   stand-pipe pressure follow (hydraulics.h).
 ///
+/// The temperature at the bit is that of the annulus's cells around it, by the difference from the ground: mud from the bore
+/// reaches it as it replaces that of the lowest cell, in some 10 s to a minute.
+///
 /// At the start all has the ground's undisturbed temperature; with `circulated`, mud has been pumped at the pump's largest flow
 /// for that time since. Cells are a two-hundredth of the hole long, at least 10 m. There is room for 1 km of new hole; beyond it
 /// the last cell grows.
