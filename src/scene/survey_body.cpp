@@ -43,7 +43,8 @@ bool any_from(const Cells& cells, std::size_t first, bool (*is)(const std::strin
   return cells.size() > first && std::any_of(cells.begin() + static_cast<std::ptrdiff_t>(first), cells.end(), is);
 }
 
-// A row of more cells than its header has decimal commas; a delimiter at its end does no harm. `named`: up to its last name.
+// A row of more cells than its header has decimal commas; delimiters at its end do no harm, but where as many cells are empty as
+// values may have a comma. `named`: up to its last name.
 bool has_more_cells(const Cells& cells, std::size_t header, std::size_t named, char delimiter)
 {
   if (any_from(cells, header, [](const std::string& cell) { return !cell.empty(); })) return true;
@@ -51,7 +52,10 @@ bool has_more_cells(const Cells& cells, std::size_t header, std::size_t named, c
   const auto is_whole = [](const std::string& cell)
   { return !cell.empty() && cell.find_first_not_of("0123456789") == std::string::npos; };
   const bool any_point = any_from(cells, 0, [](const std::string& cell) { return cell.find('.') != std::string::npos; });
-  return !any_point && (cells.size() > header + 1 || any_from(cells, named, is_whole));
+  const auto filled =
+      static_cast<std::size_t>(std::count_if(cells.begin(), cells.end(), [](const std::string& cell) { return !cell.empty(); }));
+  const std::size_t more = cells.size() - std::min(cells.size(), header);
+  return !any_point && ((more > 1 && filled == 2 * more) || any_from(cells, named, is_whole));
 }
 
 // The rows of a table, taken one after the other.

@@ -113,7 +113,7 @@ void read_stations(const XMLElement& trajectory, SurveyRows& survey, Problems& p
   int rejected = 0;
   for (const XMLElement* station : children_of(trajectory, "trajectoryStation"))
   {
-    if (text_of(child_of(*station, "statusTrajStation")) == "rejected")
+    if (lowered(text_of(child_of(*station, "statusTrajStation"))) == "rejected")
       ++rejected;
     else if (survey.rows.size() <= most_stations)
       survey.rows.push_back(row_of(*station, problems));
@@ -128,6 +128,18 @@ void name_columns(SurveyRows& survey)
 {
   for (std::size_t i = 0; i < survey_quantities; ++i)
     if (i < needed_quantities || !survey.rows.front().cells[i].empty()) survey.names[i] = elements[i];
+}
+
+// what the document says of the trajectory as a whole: `actual`, `model` or `plan`; of WITSML 2 `planned`, `simulated`
+void add_state(const XMLElement& trajectory, bool plan, SurveyRows& survey)
+{
+  const XMLElement* common = child_of(trajectory, "commonData");
+  std::string state = common ? lowered(text_of(child_of(*common, "itemState"))) : "";
+  for (const char* name : {"existence", "existenceKind"})
+    if (state.empty()) state = lowered(text_of(child_of(trajectory, name)));
+  const bool is_actual = state == "actual", is_other = state == "model" || state == "simulated" || state.substr(0, 4) == "plan";
+  if (plan ? is_actual : is_other)
+    survey.remarks.push_back("the state of the trajectory is `" + state + "`: it is read as the " + (plan ? "plan" : "survey"));
 }
 
 bool is_within_bounds(const std::string& text, Problems& problems)
@@ -159,6 +171,7 @@ SurveyRows read_survey_witsml(const std::string& text, const SurveyFormat& forma
   const std::string reference = text_of(child_of(*trajectory, "aziRef"));
   if (reference == "grid north" || reference == "magnetic north")
     survey.remarks.push_back(north_remark(reference.substr(0, reference.find(' '))));
+  add_state(*trajectory, format.plan, survey);
   survey.taken = "read as a WITSML trajectory";
   read_stations(*trajectory, survey, problems);
   if (!problems.empty()) return survey;

@@ -159,6 +159,28 @@ TEST(SurveyMarks, RowsWithoutAMark)
   EXPECT_EQ(4u, read(marked("Comment", {"", "KOP", "Target", ""})).stations.size());
 }
 
+TEST(SurveyMarks, TheStateOfATrajectory)
+{
+  const std::string stations =
+      "<trajectoryStation><md uom=\"m\">0</md><incl uom=\"deg\">0</incl><azi uom=\"deg\">0</azi></trajectoryStation>"
+      "<trajectoryStation><md uom=\"m\">900</md><incl uom=\"deg\">3</incl><azi uom=\"deg\">40</azi></trajectoryStation>";
+  const auto remarks = [&](const std::string& state, bool plan)
+  {
+    SurveyFormat format;
+    format.plan = plan;
+    return read("<trajectory>" + state + stations + "</trajectory>", format).remarks;
+  };
+  const std::string plan = "<commonData><itemState>plan</itemState></commonData>",
+                    actual = "<commonData><itemState>actual</itemState></commonData>";
+  ASSERT_EQ(1u, remarks(plan, false).size());
+  EXPECT_TRUE(holds(remarks(plan, false)[0], "the state of the trajectory is `plan`: it is read as the survey"));
+  EXPECT_TRUE(holds(remarks("<ExistenceKind>simulated</ExistenceKind>", false).at(0), "`simulated`: it is read as the survey"));
+  EXPECT_TRUE(holds(remarks(actual, true).at(0), "`actual`: it is read as the plan"));
+  EXPECT_TRUE(remarks(actual, false).empty());
+  EXPECT_TRUE(remarks(plan, true).empty());
+  EXPECT_TRUE(remarks("", false).empty());
+}
+
 // Stations at each stand, in feet under a heading of metres; at even depths, and stands in metres, are none.
 TEST(SurveyMarks, FeetUnderMetres)
 {

@@ -266,9 +266,11 @@ def without_empty_end(names):
 
 
 def fitted(cells, file, line, names, most):
-    """The cells, as many as there are names; RecordError with the line where they are not. `most`: cells of the header, empty ones too; a row of whole numbers with two
-    more has perhaps decimal commas."""
-    if len(cells) > len(names) and not any(cell.strip() for cell in cells[len(names):]) and not (len(cells) > most + 1 and not any(map(has_point, cells))):
+    """The cells, as many as there are names; RecordError with the line where they are not. `most`: cells of the header, empty ones too. Each value
+    of a row of whole numbers may have a decimal comma, where as many cells at its end are empty."""
+    more, filled = len(cells) - most, sum(1 for cell in cells if cell.strip())
+    has_commas = more > 1 and filled == 2 * more and not any(map(has_point, cells))
+    if len(cells) > len(names) and not any(cell.strip() for cell in cells[len(names):]) and not has_commas:
         return cells[:len(names)]
     if len(cells) != len(names):
         raise RecordError("%s:%d: has %d cells, the header %d (%s); needed: the same number, and texts with a delimiter in quotes" %
