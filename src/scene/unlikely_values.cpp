@@ -8,6 +8,8 @@
 
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/well/directions.h"
+#include "drill_rig_sim/well/survey.h"
+#include "unlikely_numbers.h"
 
 namespace drill_rig_sim
 {
@@ -15,10 +17,11 @@ namespace
 {
 constexpr double lightest_mud = 500.0;                     // of a liquid [kg/m3]; lighter are gas and foam
 constexpr double ppg = 119.8264;                           // [kg/m3]
-constexpr double least_mass = 0.6, most_mass = 2.0;        // of a part, by the mass of its body: tool joints and blades add to it
+constexpr double least_mass = 0.7, most_mass = 2.0;        // of a part, by the mass of its body: tool joints and blades add to it
 constexpr double steepest_slant = 50.0 * degree;           // slant rigs begin with up to 45 deg
 constexpr double least_radians = 0.1, most_radians = 1.8;  // largest inclination of a hole that is not vertical [rad]
 constexpr std::size_t fewest_radians = 4;                  // azimuths that are no whole numbers
+constexpr double warmest_rock = 300.0;                     // that is drilled, but for geothermal wells into magma [degC]
 constexpr double sharpest = 30.0 * degree / 30.0;          // short-radius holes turn up to this [rad/m]
 constexpr std::size_t fewest_steps = 5;
 constexpr double alike = 0.06, most_alike = 0.7;  // share by which steps differ from the usual one, share of the steps that do
@@ -51,6 +54,23 @@ std::string unlikely_mass(const PartSpec& part, std::size_t place)
   return line("string[%zu].linear_mass: %g kg/m does not match its diameters and density (%.3g kg/m); is its unit right?", place,
               part.linear_mass, body);
 }
+
+// where the rock at the deepest point of the hole is warmer than muds and tools stand
+std::string unlikely_rock(const Scene& scene)
+{
+  if (!scene.temperature) return "";
+  const Survey survey(scene.well.survey);
+  double depth = -survey.at(scene.well.hole_depth).position.z();
+  for (int i = 0; i < survey.size() && survey.station(i).md < scene.well.hole_depth; ++i)
+    depth = std::fmax(depth, -survey.station(i).position.z());
+  const double rock = ground_temperature(*scene.temperature, depth);
+  if (!(rock > warmest_rock)) return "";
+  return line(
+      "mud.temperature.gradient: %g K/m makes the rock %.0f degC at %.0f m of true vertical depth; muds and tools stand up to "
+      "some "
+      "260 degC: are gradient and unit right?",
+      scene.temperature->gradient, rock, depth);
+}
 }  // namespace
 
 std::vector<std::string> unlikely_values(const Scene& scene, bool stations)
@@ -59,10 +79,10 @@ std::vector<std::string> unlikely_values(const Scene& scene, bool stations)
   const std::string radians = stations ? like_radians(scene.well.survey) : "";
   const std::string feet = stations ? like_feet(scene.well.survey) : "";
   std::vector<std::string> lines{unlikely_mud(scene.mud.density), sharp.empty() ? "" : "well.stations: " + sharp,
-                                 radians.empty() ? "" : "well.stations: " + radians,
-                                 feet.empty() ? "" : "well.stations: " + feet};
+                                 radians.empty() ? "" : "well.stations: " + radians, feet.empty() ? "" : "well.stations: " + feet,
+                                 unlikely_rock(scene)};
   for (std::size_t i = 0; i < scene.string.size(); ++i) lines.push_back(unlikely_mass(scene.string[i], i));
-  std::vector<std::string> found;
+  std::vector<std::string> found = unlikely_numbers(scene);
   for (const std::string& one : lines)
     if (!one.empty()) found.push_back(one);
   return found;
