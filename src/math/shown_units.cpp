@@ -44,7 +44,7 @@ constexpr Row rows[] = {
     {"rad/m", {"deg/30 m", 30.0 / degree, 2}, {"deg/100 ft", 100.0 * static_cast<double>(exact::foot) / degree, 2}},
     {"N m s/rad", {"N m s/rad", 1.0, 0}, {"ft.lbf.s/rad", per(exact::pound_force* exact::foot), 0}},
     {"N m/rad", {"N m/rad", 1.0, 0}, {"ft.lbf/rad", per(exact::pound_force* exact::foot), 0}},
-    {"degC", {"degC", 1.0, 1}, {"degC", 1.0, 1}},
+    {"degC", {"degC", 1.0, 1}, {"degF", 1.8, 1, 32.0}},
     {"1", {"%", 100.0, 0}, {"%", 100.0, 0}},
     {"1", {"", 1.0, 2}, {"", 1.0, 2}},
 };
@@ -68,12 +68,14 @@ const char* si_name(Dimension dimension)
 
 double to_shown(double si, Dimension dimension, UnitSystem system)
 {
-  return si * unit_of(dimension, system).per_si;
+  const Unit& unit = unit_of(dimension, system);
+  return si * unit.per_si + unit.zero;
 }
 
 double to_si(double shown, Dimension dimension, UnitSystem system)
 {
-  return shown / unit_of(dimension, system).per_si;
+  const Unit& unit = unit_of(dimension, system);
+  return (shown - unit.zero) / unit.per_si;
 }
 
 }  // namespace drill_rig_sim

@@ -21,6 +21,7 @@ constexpr long double pound_per_gallon = pound / gallon;        // [kg/m3]
 constexpr long double pound_per_foot = pound / foot;            // [kg/m]
 constexpr long double foot3 = foot * foot * foot;               // [m3]
 constexpr long double short_ton = 2000.0L, long_ton = 2240.0L;  // in pounds
+constexpr long double fahrenheit = 5.0L / 9.0L;                 // a difference [K]
 constexpr long double survey_foot = 1200.0L / 3937.0L;          // of the USA, until 2022 [m]
 
 // clang-format off
@@ -145,7 +146,14 @@ std::vector<UnitFamily> last_families()
 {
   return {
   {"an area", {{"m2", 1.0L}, {"cm2", 1e-4L}, {"mm2", 1e-6L}, {"in2", inch * inch}}},
-  {"a temperature", {{"degC", 1.0L}}},
+  {"a temperature", {
+    {"degC", 1.0L, "c celsius deg.c deg.celsius"}, {"degF", fahrenheit, "f fahrenheit deg.f deg.fahrenheit", true, 32.0L},
+        {"K", 1.0L, "kelvin kelvins", true, 273.15L}}},
+  {"a temperature gradient", {
+    {"K/m", 1.0L, "degc/m deg.c/m"}, {"K/km", 1e-3L, "degc/km deg.c/km"},
+        {"K/100m", 1e-2L, "k/100.m degc/100m degc/100.m deg.c/100.m deg.c/100m"},
+    {"degF/ft", fahrenheit / foot, "deg.f/ft f/ft"},
+        {"degF/100ft", fahrenheit / (100.0L * foot), "degf/100.ft deg.f/100.ft deg.f/100ft f/100ft f/100.ft"}}},
   {"a frequency", {{"1/s", 1.0L}, {"Hz", 1.0L}, {"1/min", 1.0L / minute, "spm"}}},
   {"a power", {{"W", 1.0L}, {"kW", 1e3L}, {"MW", 1e6L}, {"hp", 550.0L * pound_foot}}},
   {"a mass per length", {{"kg/m", 1.0L}, {"lbm/ft", pound_per_foot, "lb/ft lbs/ft ppf"}}},

@@ -62,7 +62,7 @@ std::string refusal(const KeyUnits& units, const std::string& written, const std
 // a number of a message, which has six figures; the first one, if it is what was given, is shown as it was
 std::string shown_in(const InputUnit& unit, double in_key_unit, bool is_first)
 {
-  const auto number = static_cast<double>(in_key_unit / unit.factor);
+  const double number = unit.from_key_unit(in_key_unit);
   return plain(is_first && std::abs(number - unit.number) <= 1e-5 * std::abs(unit.number) ? unit.number : number);
 }
 
@@ -134,7 +134,10 @@ std::string find_input_unit(const WrittenNumber& number, const std::string& key_
     return written + " is ambiguous; allowed: " + found.choices + (units.suffix.empty() ? "" : ", each with " + units.suffix);
   if (!found.unit && written != own) return refusal(units, written, key_unit);
   unit.name = written;
-  if (found.unit && written != own) unit.factor = found.unit->si / find_in(units, own).unit->si;
+  if (!found.unit || written == own) return "";
+  const UnitName& of_key = *find_in(units, own).unit;
+  unit.factor = found.unit->si / of_key.si;
+  unit.zero = found.unit->zero - of_key.zero / unit.factor;
   return "";
 }
 

@@ -20,7 +20,10 @@ struct InputUnit
 {
   std::string name;           ///< empty: the key's own unit
   long double factor = 1.0L;  ///< units of the key in it
+  long double zero = 0.0L;    ///< its number at 0 of the key's unit: 32 of degF for a key in degC
   double number = 0.0;        ///< as it is given, in this unit
+  long double in_key_unit(long double given) const { return (given - zero) * factor; }
+  double from_key_unit(double value) const { return static_cast<double>(value / factor + zero); }
 };
 
 /// Splits a text into a decimal number and what may be a unit, whatever the process's locale; false if it is no such text.

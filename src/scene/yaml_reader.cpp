@@ -94,7 +94,7 @@ std::string range_text(const Range& allowed, const std::string& unit, const Inpu
 {
   if (!input.name.empty())
   {
-    const auto in_input = [&](double bound) { return static_cast<double>(bound / input.factor); };
+    const auto in_input = [&](double bound) { return input.from_key_unit(bound); };
     return to_text(Range{in_input(allowed.low), in_input(allowed.high), allowed.low_open, allowed.high_open}) + " " + input.name;
   }
   return to_text(allowed) + (unit.empty() || unit == "-" ? "" : " " + unit);
@@ -174,7 +174,7 @@ bool read_number(const YAML::Node& node, const std::string& path, const Range& a
     problems.add(path, wrong_unit);
     return false;
   }
-  const double read = given.unit.empty() ? given.value : static_cast<double>(given.exact * input.factor);
+  const double read = given.unit.empty() ? given.value : static_cast<double>(input.in_key_unit(given.exact));
   const std::string shown = plain(given.value) + (input.name.empty() ? "" : " " + input.name);
   if (!inside(read, allowed))
   {

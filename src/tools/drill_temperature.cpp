@@ -25,11 +25,12 @@ std::string density_at(const Scene& scene, double pressure, double depth, const 
 }
 
 /// Of the mud around the bit, and of the reference.
-void print_viscosity(const Scene& scene, double temperature)
+void print_viscosity(const Scene& scene, double temperature, const Printed& printed)
 {
   const double viscosity = 1e3 * plastic_viscosity(curve_of(*scene.rheology, scene.mud.viscosity));
-  std::printf("            then plastic viscosity %.3g mPa s at the bit (%.3g mPa s at %g degC)",
-              viscosity * viscosity_factor(*scene.temperature, temperature), viscosity, scene.temperature->rheology_temperature);
+  std::printf("            then plastic viscosity %.3g mPa s at the bit (%.3g mPa s at %s)",
+              viscosity * viscosity_factor(*scene.temperature, temperature), viscosity,
+              printed(scene.temperature->rheology_temperature, Dimension::temperature, {"%g", "degC"}).c_str());
 }
 }  // namespace
 
@@ -50,7 +51,7 @@ void print_temperature(const Simulator& simulator, const Printed& printed)
               degrees(ground_temperature(*scene.temperature, depth), printed).c_str(), hours,
               printed(flow, Dimension::flow, {"%g", "m3/s"}).c_str(), degrees(now.bit, printed).c_str(),
               degrees(now.flow_line, printed).c_str());
-  print_viscosity(scene, now.bit);
+  print_viscosity(scene, now.bit, printed);
   std::printf(", stand pipe %s, ecd %s; at rest at the start %s\n",
               printed(stand_pipe, Dimension::pressure, {"%.2f", "MPa", 1e-6}).c_str(),
               density_at(scene, now.heads.annulus + friction, depth, printed).c_str(),

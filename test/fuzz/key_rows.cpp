@@ -117,7 +117,8 @@ std::string draw_number_with_unit(const KeyRow& row, Random& random)
   if (!family) return spelled(number);
   const UnitName& unit = family->units[random.below(family->units.size())];
   const UnitName* own = find_unit(*family, row.unit).unit;
-  return spelled(static_cast<double>(number * (own ? own->si : 1.0L) / unit.si)) + (random.one_in(4) ? "" : " ") + unit.name;
+  return spelled(static_cast<double>(number * (own ? own->si : 1.0L) / unit.si + unit.zero)) + (random.one_in(4) ? "" : " ") +
+         unit.name;
 }
 }  // namespace
 

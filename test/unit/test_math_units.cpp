@@ -238,6 +238,12 @@ const std::vector<Figure> figures = {
     {"a flow", "lpm", 1.666666667e-5},
     {"a flow", "bpm", 2.649788249e-3},
     {"a volume", "l", 0.001},
+    {"a temperature", "degF", 0.5555555556},
+    {"a temperature", "K", 1.0},
+    {"a temperature gradient", "K/km", 1e-3},
+    {"a temperature gradient", "K/100m", 1e-2},
+    {"a temperature gradient", "degF/ft", 1.822688831},
+    {"a temperature gradient", "degF/100ft", 0.01822688831},
 };
 
 std::vector<std::string> words_of(const char* text)

@@ -37,6 +37,8 @@ TEST(ConsoleUnits, OilfieldAsInTables)
   expect_oilfield(10.0, 1198.264, Dimension::density, "ppg");
   expect_oilfield(68.5218, 1e6, Dimension::force_per_length, "klbf/ft");
   expect_oilfield(180.0, M_PI, Dimension::angle, "deg");
+  expect_oilfield(212.0, 100.0, Dimension::temperature, "degF");
+  expect_oilfield(32.0, 0.0, Dimension::temperature, "degF");
 }
 
 TEST(ConsoleUnits, MetricAsOnARig)

@@ -178,7 +178,8 @@ TEST(SceneUnits, EveryNumberTakesEveryUnitOfItsQuantity)
         const double value = std::isfinite(allowed.high) ? 0.75 * allowed.high + 0.25 * allowed.low : 1.0;
         for (const UnitName& given : family->units)
         {
-          const long double in_unit = value * find_unit(*family, plain_unit(unit)).unit->si / given.si;
+          const UnitName& own = *find_unit(*family, plain_unit(unit)).unit;
+          const long double in_unit = (value - own.zero) * own.si / given.si + given.zero;
           for (const std::string& spelling : spellings_of(given))
           {
             char text[80];

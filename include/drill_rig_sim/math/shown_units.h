@@ -41,13 +41,14 @@ enum class Dimension
   count
 };
 
-/// How a dimension is shown: shown = SI value * per_si.
+/// How a dimension is shown: shown = SI value * per_si + zero.
 struct Unit
 {
-  const char* name;  // "" for a mere number
-  double per_si;     // shown units in one SI unit (N, N m, rad/s, m/s, Pa, m3/s, m, m2, rad, kg/m3, 1/s, N/m, kg, m3, rad/m, N m
-                     // s/rad, N m/rad, degC)
-  int decimals;      // that are shown
+  const char* name;   // "" for a mere number
+  double per_si;      // shown units in one SI unit (N, N m, rad/s, m/s, Pa, m3/s, m, m2, rad, kg/m3, 1/s, N/m, kg, m3, rad/m, N m
+                      // s/rad, N m/rad, degC)
+  int decimals;       // that are shown
+  double zero = 0.0;  // shown at 0 of the SI unit: 32 of degF
 };
 
 /// The unit of a dimension. Factors: math/unit_table.h.

@@ -33,6 +33,7 @@ struct UnitName
   long double si;              ///< SI units in one of it
   const char* spellings = "";  ///< further ones as folded_unit() spells them, between blanks
   bool listed = true;          ///< messages name it among what is allowed; the others are rare
+  long double zero = 0.0L;     ///< its number at 0 of the SI unit: 32 of degF. SI = (number - zero) si
   double factor() const { return static_cast<double>(si); }
 };
 

@@ -120,7 +120,7 @@ double specific_energy(double weight, double torque, double speed, double rop, d
 std::string number_text(double si, Dimension dimension, UnitSystem system)
 {
   const Unit& unit = unit_of(dimension, system);
-  double shown = si * unit.per_si;
+  double shown = to_shown(si, dimension, system);
   if (!std::isfinite(shown)) return "-";
   const double half = 0.5 * std::pow(10.0, -unit.decimals);
   if (std::abs(shown) < half) shown = 0.0;  // no -0.0
