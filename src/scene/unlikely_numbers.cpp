@@ -31,8 +31,10 @@ struct Sized
 
 std::string line_of(const Sized& one)
 {
-  return one.key + ": " + plain(one.value) + " " + one.unit + (one.value < one.least ? " is less than " : " is more than ") +
-         one.usual + "; is its unit right?";
+  const std::string unit = one.unit;
+  return one.key + ": " + plain(one.value) + (unit.empty() ? "" : " " + unit) +
+         (one.value < one.least ? " is less than " : " is more than ") + one.usual +
+         (unit.empty() ? "; is it right?" : "; is its unit right?");
 }
 
 void add_rig(const RigSpec& rig, std::vector<Sized>& all)
@@ -66,7 +68,7 @@ void add_string(const std::vector<PartSpec>& string, std::vector<Sized>& all)
 void add_hole(const Scene& scene, std::vector<Sized>& all)
 {
   for (std::size_t i = 0; i < scene.well.sections.size(); ++i)
-    all.push_back({"well.sections[" + std::to_string(i) + "].friction", scene.well.sections[i].friction, 0.0, 1.0, "[-]",
+    all.push_back({"well.sections[" + std::to_string(i) + "].friction", scene.well.sections[i].friction, 0.0, 1.0, "",
                    "steel has on rock or casing (0.05 to 0.5)"});
 }
 
@@ -75,8 +77,10 @@ void add_temperatures(const MudTemperatureSpec& spec, std::vector<Sized>& all)
   const std::string key = "mud.temperature.";
   all.push_back({key + "inlet", spec.inlet, -any, 75.0, "degC", "mud is pumped in at (10 to 60 degC; 80 degF are 27 degC)"});
   all.push_back({key + "surface", spec.surface, -any, 40.0, "degC", "the ground has (60 degF are 16 degC)"});
-  all.push_back({key + "rheology_temperature", spec.rheology_temperature, -any, 99.0, "degC",
-                 "muds are tested at (120 and 150 degF are 49 and 66 degC)"});
+  // others are those of tests at high temperature and pressure
+  if (spec.rheology_temperature == 120.0 || spec.rheology_temperature == 150.0)
+    all.push_back({key + "rheology_temperature", spec.rheology_temperature, -any, 99.0, "degC",
+                   "muds are usually tested at (120 and 150 degF are 49 and 66 degC)"});
   if (spec.circulated > 0.0)
     all.push_back({key + "circulated", spec.circulated, 60.0, any, "s", "changes a temperature (6 h are 21600 s)"});
 }

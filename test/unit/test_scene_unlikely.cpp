@@ -34,12 +34,12 @@ TEST(SceneUnlikely, SlipsOfUnitsAreReported)
       {"string[0].length=30", "30 m is more than bits are long"},                               // cm
       {"string[1].yield_strength=9.3e6", "9.3e+06 Pa is less than pipe stands"},
       {"string[1].make_up_torque=25", "25 N m is less than joints are made up with"},  // kft.lbf
-      {"well.sections[0].friction=2.5", "2.5 [-] is more than steel has"},
+      {"well.sections[0].friction=2.5", "2.5 is more than steel has on rock or casing (0.05 to 0.5); is it right?"},
       {"formation[0].drillability=1.0e-4", "drills 3.6e+05 m/h with 100 kN at 95 rpm"},
       {"formation[0].drillability=1.0e-14", "drills 3.6e-05 m/h"},
       {"mud.temperature.inlet=80", "80 degC is more than mud is pumped in at"},  // degF
       {"mud.temperature.surface=60", "60 degC is more than the ground has"},
-      {"mud.temperature.rheology_temperature=120", "120 degC is more than muds are tested at"},
+      {"mud.temperature.rheology_temperature=120", "120 degC is more than muds are usually tested at"},
       {"mud.temperature.circulated=6", "6 s is less than changes a temperature"}};  // h
   for (const auto& [setting, said] : slips)
   {
@@ -53,13 +53,26 @@ TEST(SceneUnlikely, SlipsOfUnitsAreReported)
 
 TEST(SceneUnlikely, WhatRigsHaveIsNot)
 {
-  for (const char* setting :
-       {"name=s", "rig.hoisting.block_mass=500", "rig.hoisting.crown_height=65", "rig.top_drive.max_torque=2000",
-        "rig.top_drive.max_power=50e3", "rig.mud_pump.max_flow=0.13", "rig.mud_pump.relief_pressure=3e6",
-        "rig.mud_pump.stroke_volume=0.0053", "string[0].length=1.2", "string[1].yield_strength=276e6",
-        "string[1].make_up_torque=3000", "well.sections[0].friction=0.8", "formation[0].drillability=1e-7",
-        "formation[0].drillability=1e-10", "mud.temperature.inlet=65", "mud.temperature.surface=35",
-        "mud.temperature.surface=-10", "mud.temperature.rheology_temperature=65", "mud.temperature.circulated=1 h"})
+  for (const char* setting : {"name=s",
+                              "rig.hoisting.block_mass=500",
+                              "rig.hoisting.crown_height=65",
+                              "rig.top_drive.max_torque=2000",
+                              "rig.top_drive.max_power=50e3",
+                              "rig.mud_pump.max_flow=0.13",
+                              "rig.mud_pump.relief_pressure=3e6",
+                              "rig.mud_pump.stroke_volume=0.0053",
+                              "string[0].length=1.2",
+                              "string[1].yield_strength=276e6",
+                              "string[1].make_up_torque=3000",
+                              "well.sections[0].friction=0.8",
+                              "formation[0].drillability=1e-7",
+                              "formation[0].drillability=1e-10",
+                              "mud.temperature.inlet=65",
+                              "mud.temperature.surface=35",
+                              "mud.temperature.surface=-10",
+                              "mud.temperature.rheology_temperature=65",
+                              "mud.temperature.rheology_temperature=177",
+                              "mud.temperature.circulated=1 h"})
     EXPECT_TRUE(remarks(setting).empty()) << setting << ": " << remarks(setting).front();
 }
 }  // namespace test_scene_unlikely
