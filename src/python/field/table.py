@@ -293,13 +293,14 @@ def parts_of(name):
     the unit: `Torque x100 (ft-lb)` is in x100 ft-lb."""
     rest, inside = apart(name)
     rest, factor = factor_apart(rest, inside)
+    rest = apart(rest)[0] if factor else rest
     if inside:
         units = [text for text in inside if is_unit(text)]
         differ = any(not same_unit(units[0], other) for other in units[1:])
         unit = ", ".join(reversed(units)) if differ else (units or inside)[0] or None
         return rest, ("%s %s" % (factor, unit or "")).strip() if factor else unit
     if factor:
-        return apart(rest)[0], factor
+        return rest, factor
     for sign in list(SEPARATOR.finditer(name))[:-1 - MOST_PARTS:-1]:
         rest, unit = apart(name[:sign.start()])[0], name[sign.end():]
         if any(word(rest) in RANKS[signal] and is_unit(unit, SIGNALS[signal][0]) for signal in RANKS):
@@ -310,7 +311,7 @@ def parts_of(name):
 def factor_apart(rest, inside):
     """A name without the factor at its end, with a unit behind it perhaps, and these, as `x1000` or `x100 ft-lb`; "" without one. Takes one alone in brackets out of
     the texts `inside`."""
-    alone = next((text for text in inside if FACTOR.fullmatch(text)), None)
+    alone = next((text for text in inside if FACTOR.fullmatch(text) and not is_unit(text)), None)
     if alone is not None:
         inside.remove(alone)
         return rest, alone
