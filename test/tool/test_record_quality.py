@@ -274,7 +274,7 @@ class Factors(Folder):
 
     def test_obeyed(self):
         for name, per in (("Hook Load x1000 (lbf)", 1.0), ("Hook Load (klbf x 10)", 0.1), ("Hook Load (1000 lbf)", 1.0), ("Hook Load x1000 lbf", 1.0), ("Hook Load, x1000 lbf", 1.0), ("Hook Load *0.1 (klbf)", 10.0),
-                          ("Hook Load \u00d710\u00b3 (lbf)", 1.0), ("Hook Load [10^3 lbf]", 1.0), ("Hook Load (lbf*100)", 10.0), ("HKLDx1000 (lbf)", 1.0), ("Hook Load (x1000) (lbf)", 1.0), ("Hook Load (avg) (x1000 lbf)", 1.0), ("Hook Load (avg) x1000 (lbf)", 1.0), ("Hook Load (surface) *0.1 [klbf]", 10.0), ("Hook Load 1e3 lbf", 1.0)):
+                          ("Hook Load \u00d710\u00b3 (lbf)", 1.0), ("Hook Load [10^3 lbf]", 1.0), ("Hook Load (lbf*100)", 10.0), ("HKLDx1000 (lbf)", 1.0), ("Hook Load (x1000) (lbf)", 1.0), ("Hook Load (avg) (x1000 lbf)", 1.0), ("Hook Load (avg) x1000 (lbf)", 1.0), ("Hook Load (surface) *0.1 [klbf]", 10.0), ("Hook Load (10^3) (lbf)", 1.0), ("Hook Load 1e3 lbf", 1.0)):
             record = self.read("Time (s),\"%s\",Block Height (ft)\n" % name + "".join("%g,%.10g,%g\n" % (time, per * load, block) for time, load, block in ROWS))
             with self.subTest(name):
                 self.right(record)
@@ -292,6 +292,10 @@ class Factors(Folder):
         self.refused("the file says a factor (x1000), the map a unit without one (lbf); needed: unit: x1000 lbf, or x1 lbf where the numbers are lbf", header, times % "lbf")
         self.right(self.read(header, times % "x1000 lbf"))
         numpy.testing.assert_allclose(self.read(header, times % "x1 klbf").signals["hook_load"][0], 200 * KLBF)
+
+    def test_a_number_in_brackets(self):
+        record = self.read("Time (s),Hook Load (1000) (lbf),Block Height (ft)\n" + "".join("%g,%g,%g\n" % row for row in ROWS))
+        self.right(record, ["hook_load: Hook Load (1000) (lbf) is read in x1000 lbf: 1 is 4448.22 N"])
 
     def test_above_a_line_of_units(self):
         text = "Time,Hook Load%s,Block Height\ns,%s,ft\n" + "".join("%g,%g,%g\n" % row for row in ROWS)
