@@ -258,6 +258,24 @@ void check_commas(const SurveyRows& survey, Problems& problems)
                         "), needed: decimal points and no thousands separators");
 }
 
+// `MD, m,Inc, deg`: names that hold the delimiter make two columns of one, as decimal commas do in the rows.
+void check_names(const CsvTable& table, Problems& problems)
+{
+  if (table.delimiter.character != ',') return;
+  const SurveyHeader& header = table.header;
+  std::size_t parted = 0;
+  std::string first;
+  for (std::size_t i = 0; i < needed_quantities; ++i)
+  {
+    const std::size_t next = *header.place[i] + 1;
+    if (next >= header.cells.size() || !unit_for(i, header.cells[next].text)) continue;
+    if (parted++ == 0) first = header.cells[next - 1].text + ", " + header.cells[next].text;
+  }
+  if (parted > 1)
+    problems.add_at(table.line, first,
+                    "a name holds the delimiter, a comma before the unit, needed: names in quotes, or units in brackets");
+}
+
 // The line of units below the header, where there is one; false if it has one that is not known.
 bool take_unit_line(const std::vector<CsvLine>& lines, CsvTable& table, Problems& problems)
 {
@@ -330,6 +348,8 @@ SurveyRows read_survey_csv(const std::string& text, const SurveyFormat& format, 
   }
   for (std::size_t i = 0; i < survey_quantities; ++i)
     if (header.place[i]) survey.names[i] = header.cells[*header.place[i]].text;
+  check_names(table, problems);
+  if (!problems.empty()) return survey;
   survey.decimal_commas = table.delimiter.character != ',';
   if (!take_unit_line(lines, table, problems)) return survey;
   const std::string no_unit = unit_problem(header, survey_md);

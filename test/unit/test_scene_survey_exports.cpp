@@ -219,6 +219,8 @@ TEST(SceneSurvey, ExportsThatAreRefused)
       {"bearing in radians", "MD (m),Inc (rad),Azi (rad)\n0,0,0\n500,0.1,N45E\n", ":3: Azi (rad): must be a finite number"},
       {"decimal commas below empty names", "MD (m),Inc (deg),Azi (deg),,,\n100,0,2,3,45,1\n200,0,3,3,45,2\n",
        ":2: has 6 cells, the header 3, allowed: the same number, with decimal points"},
+      {"decimal commas below names with commas", "MD, m,Inc, deg,Azi, deg\n100,0,2,3,45,1\n",
+       ":1: MD, m: a name holds the delimiter, a comma before the unit"},
       {"decimal commas before empty cells", "MD (m),Inc (deg),Azi (deg),TVD,VS,DLS\n100,0,2,3,45,1,,,\n200,0,3,3,45,2,,,\n",
        ":2: has 9 cells, the header 6, allowed: the same number, with decimal points"},
       {"61 minutes",
