@@ -8,6 +8,7 @@ import numpy
 from drill_rig_sim.field.fit_plan import weights_of
 from drill_rig_sim.campaign.plan_text import plan_of
 from drill_rig_sim.field.record import RecordError
+from drill_rig_sim.field.units import power_in
 from record_folder import FEET, KLBF, ROWS, Folder
 
 HEAD = "Time (s),Hook Load (klbf),Block Height (ft)"
@@ -304,7 +305,10 @@ class Factors(Folder):
         self.assertIn("lbf/1000 is not known", "\n".join(self.read(text % ("", "lbf/1000")).remarks))
 
     def test_what_is_no_factor(self):
-        """A mean over 10 s; a box of ten."""
+        """A mean over 10 s; a box of ten; no power of ten, and none of any size."""
+        for text in ("9" * 400 + " m", "1" + "0" * 400 + " m", "x7 m", "x0 m", "10 m", ". m"):
+            self.assertEqual((None, ""), power_in(text))
+        self.assertEqual((1e3, "m"), power_in("x10^3 m"))
         rows = "".join("%g,%g,%g\n" % row for row in ROWS)
         self.right(self.read("Time (s),Hook Load (klbf) (10 s),Block Height (ft)\n" + rows))
         self.right(self.read("Time (s),Hook Load (klbf),Block Height (ft),Box 10,Max10\n" + rows.replace("\n", ",1,2\n")))

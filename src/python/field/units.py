@@ -16,6 +16,7 @@ DATES = ("date", "datetime", "date time", "date.time", "iso 8601")
 # a power of ten before a unit or behind it: `1000 lbf`, `x1000 lbf`, `klb x 10`, `10^3 N`; small ones have a sign, to differ from a mean over `10 s`
 TEN = r"(10(?:\^|\*\*)-?\d|1e[+-]?\d|\d*\.?\d+)"
 BEFORE, AFTER = re.compile(r"([x\u00d7*]\s*)?%s\s*[x\u00d7*\u00b7]?\s*([a-z%%\u00b0\"'].*)$" % TEN, re.IGNORECASE), re.compile(r"(.*\S)\s*([x\u00d7*])\s*%s$" % TEN, re.IGNORECASE)
+LEAST_POWER, MOST_POWER = 1e-10, 1e10
 SMALL = 100.0  # from which on a power before a unit needs no sign
 SUPERSCRIPTS = str.maketrans("\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079\u207b", "0123456789-")
 
@@ -65,7 +66,7 @@ def power_in(text):
         return None, ""
     number, unit, sign = (before[2], before[3], before[1]) if before else (after[3], after[1], after[2])
     power = 10.0 ** float(number[3:]) if "^" in number else float(number)
-    is_power = power > 0.0 and abs(math.log10(power) - round(math.log10(power))) < 1e-9
+    is_power = LEAST_POWER < power < MOST_POWER and abs(math.log10(power) - round(math.log10(power))) < 1e-9
     return (power, unit) if is_power and (sign or power >= SMALL) else (None, "")
 
 
