@@ -7,6 +7,7 @@
 
 #include "drill_rig_sim/well/well_checks.h"
 #include "survey_marks.h"
+#include "survey_path.h"
 #include "survey_split.h"
 #include "survey_words.h"
 
@@ -86,6 +87,7 @@ public:
         take_row(lines_[i]);
         continue;
       }
+      check_path(i, end);
       if (skipped == 0) first = i;
       skipped += end - i;
       i = end - 1;
@@ -97,6 +99,18 @@ public:
   }
 
 private:
+  // a title such as Plan or Actual between stations begins another table
+  void check_path(std::size_t first, std::size_t end)
+  {
+    for (std::size_t i = first; i < end; ++i)
+      for (const std::string& text : cells_of(lines_[i]))
+        if (end < lines_.size() && path_of_cell(text) != SurveyPath::unsaid)
+          return problems_.add_at(lines_[i].number, "",
+                                  "\"" + shortened(text) +
+                                      "\" stands between stations: of which path those below are, is not clear, "
+                                      "needed: a file for the plan and one for the drilled well");
+  }
+
   Cells cells_of(const CsvLine& line) const { return split(line.text, table_.delimiter.character); }
 
   bool fits(const Cells& cells) const

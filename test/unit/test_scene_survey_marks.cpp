@@ -159,6 +159,15 @@ TEST(SurveyMarks, RowsWithoutAMark)
   EXPECT_EQ(4u, read(marked("Comment", {"", "KOP", "Target", ""})).stations.size());
 }
 
+// A title below stations begins another table; one above them and one below all are none.
+TEST(SurveyMarks, ATitleBetweenStations)
+{
+  const std::string first = head + "\n0,0,0\n500,10,45\n", second = head + "\n600,12,45\n700,14,45\n";
+  EXPECT_TRUE(holds(refusal("Plan\n" + first + "Actual\n" + second), ":5: \"Actual\" stands between stations"));
+  EXPECT_EQ(4u, read("Plan\n" + first + "Page 2\n" + second).stations.size());
+  EXPECT_EQ(2u, read(first + "Plan\n").stations.size());
+}
+
 TEST(SurveyMarks, TheStateOfATrajectory)
 {
   const std::string stations =
