@@ -16,7 +16,7 @@ DATES = ("date", "datetime", "date time", "date.time", "iso 8601")
 # a power of ten before a unit or behind it: `1000 lbf`, `x1000 lbf`, `klb x 10`, `10^3 N`; small ones have a sign, to differ from a mean over `10 s`
 TEN = r"(10(?:\^|\*\*)-?\d|1e[+-]?\d|\d*\.?\d+)"
 BEFORE, AFTER = re.compile(r"([x\u00d7*]\s*)?%s\s*[x\u00d7*\u00b7]?\s*([a-z%%\u00b0\"'].*)$" % TEN, re.IGNORECASE), re.compile(r"(.*\S)\s*([x\u00d7*])\s*%s$" % TEN, re.IGNORECASE)
-LEAST_POWER, MOST_POWER = 1e-10, 1e10
+LEAST_POWER, MOST_POWER, LONGEST = 1e-10, 1e10, 60  # and letters of a text with one
 SMALL = 100.0  # from which on a power before a unit needs no sign
 SUPERSCRIPTS = str.maketrans("\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079\u207b", "0123456789-")
 
@@ -59,6 +59,8 @@ def factor_of(quantity, text):
 
 def power_in(text):
     """(power of ten, unit) of a text that holds both, else (None, "")."""
+    if len(text) > LONGEST:
+        return None, ""
     plain = re.sub("10([\u2070\u00b9\u00b2\u00b3\u2074-\u2079\u207b]+)", lambda found: "10^" + found[1].translate(SUPERSCRIPTS), text.strip())
     plain = re.sub(r"(?<=10)\s*(\^|\*\*)\s*", "^", plain)
     before, after = BEFORE.match(plain), AFTER.match(plain)
