@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/compared/arkode_stepper.h"
 
-#include <nvector/nvector_serial.h>
 #include <sunnonlinsol/sunnonlinsol_newton.h>
 
 #include <algorithm>
@@ -17,6 +16,7 @@
 #include "drill_rig_sim/solve/vector_operations.h"
 #include "../solve/sundials.h"
 
+#if SUNDIALS_VERSION_MAJOR >= 6
 // SUNDIALS 7.1 has new names (ARKodeSet...) for these functions, and 6 has the old names only.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wdeprecated-declarations"
@@ -103,7 +103,7 @@ ArkodeStepper::Session::Session(const Model& m, Stage& s, Workspace& w)
   context_ = new_context();
   if (!context_) throw std::runtime_error("ARKODE: SUNDIALS gives no context");
   table_.reset(ARKodeButcherTable_LoadDIRK(ARKODE_TRBDF2_3_3_2));
-  y_.reset(N_VNew_Serial(2 * size(), context_.get()));
+  y_ = new_vector(2 * size(), context_.get());
   if (!table_ || !y_) throw std::runtime_error("ARKODE: SUNDIALS gives no table or vector");
   stages_.resize(static_cast<std::size_t>(table_->stages));
   vectorise_operations(y_.get());
@@ -167,7 +167,7 @@ void ArkodeStepper::Session::create()
 /// Matrix-embedded: the tangent is there since Newton's residual at the same place.
 void ArkodeStepper::Session::set_linear_solver()
 {
-  linear_.reset(SUNLinSolNewEmpty(context_.get()));
+  linear_ = new_linear_solver(context_.get());
   if (!linear_) throw std::runtime_error("ARKODE: SUNDIALS gives no linear solver");
   linear_->content = this;
   linear_->ops->gettype = [](SUNLinearSolver) { return SUNLINEARSOLVER_MATRIX_EMBEDDED; };
@@ -334,6 +334,11 @@ ArkodeStepper::ArkodeStepper(std::shared_ptr<const Model> model)
 
 ArkodeStepper::~ArkodeStepper() = default;
 
+bool ArkodeStepper::available() noexcept
+{
+  return true;
+}
+
 NewtonLimits& ArkodeStepper::limits() noexcept
 {
   return session_->limits;
@@ -360,3 +365,5 @@ StepResult ArkodeStepper::attempt(State& state, double step, const Setpoints& se
 }  // namespace drill_rig_sim
 
 #pragma GCC diagnostic pop
+
+#endif

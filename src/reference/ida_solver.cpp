@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/reference/ida_solver.h"
 
-#include <nvector/nvector_serial.h>
-#include <sunlinsol/sunlinsol_klu.h>
-#include <sunmatrix/sunmatrix_sparse.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -29,7 +25,7 @@ struct FreeIda
 bool finite(N_Vector v)
 {
   const double* values = N_VGetArrayPointer(v);
-  return std::all_of(values, values + N_VGetLength(v), [](double x) { return std::isfinite(x); });
+  return std::all_of(values, values + size_of(v), [](double x) { return std::isfinite(x); });
 }
 }  // namespace
 
@@ -91,7 +87,7 @@ int IdaSolver::Session::weight_callback(N_Vector y, N_Vector weight, void* data)
   auto* session = static_cast<Session*>(data);
   double* w = N_VGetArrayPointer(weight);
   session->problem.tolerances(N_VGetArrayPointer(y), w);
-  for (sunindextype k = 0; k < N_VGetLength(weight); ++k) w[k] = 1.0 / w[k];
+  for (sunindextype k = 0; k < size_of(weight); ++k) w[k] = 1.0 / w[k];
   return 0;
 }
 
@@ -108,9 +104,9 @@ bool IdaSolver::Session::set_linear_solver(double t)
   problem.jacobian(t, N_VGetArrayPointer(y.get()), N_VGetArrayPointer(rate.get()), 1.0, jacobian);
   jacobian.finish();
   const auto n = static_cast<sunindextype>(problem.size());
-  matrix.reset(SUNSparseMatrix(n, n, static_cast<sunindextype>(jacobian.values().size()), CSC_MAT, context.get()));
+  matrix = new_sparse_matrix(n, static_cast<sunindextype>(jacobian.values().size()), context.get());
   write_matrix(matrix.get());
-  linear.reset(SUNLinSol_KLU(y.get(), matrix.get(), context.get()));
+  linear = new_klu(y.get(), matrix.get(), context.get());
   return linear && IDASetLinearSolver(memory.get(), linear.get(), matrix.get()) == IDA_SUCCESS &&
          IDASetJacFn(memory.get(), jacobian_callback) == IDA_SUCCESS;
 }
@@ -128,13 +124,13 @@ void IdaSolver::Session::set_options()
   IDASetNonlinConvCoef(ida, options.newton_share);
   if (options.fixed_step <= 0.0) return;
   IDASetInitStep(ida, options.fixed_step);
-  IDASetMinStep(ida, options.fixed_step);
+  set_smallest_step(ida, options.fixed_step);
   IDASetMaxStep(ida, options.fixed_step);
 }
 
 bool IdaSolver::Session::create(double t)
 {
-  memory.reset(IDACreate(context.get()));
+  memory.reset(new_ida(context.get()));
   if (!memory || IDAInit(memory.get(), residual_callback, t, y.get(), rate.get()) != IDA_SUCCESS) return false;
   set_options();
   return set_linear_solver(t);
@@ -201,7 +197,7 @@ IdaSolver::IdaSolver(DaeProblem& problem, const IdaOptions& options) : session_(
   SUNContext const context = session_->context.get();
   if (!context) throw std::runtime_error("IDA: SUNDIALS could not create a context");
   const auto n = static_cast<sunindextype>(problem.size());
-  session_->y.reset(N_VNew_Serial(n, context));
+  session_->y = new_vector(n, context);
   vectorise_operations(session_->y.get());
   session_->rate.reset(N_VClone(session_->y.get()));
   session_->id.reset(N_VClone(session_->y.get()));

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/solve/kinsol_equilibrium.h"
 
-#include <nvector/nvector_serial.h>
-
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -70,7 +68,7 @@ double norm_callback(SUNLinearSolver)
 /// Solves with the tangent of the problem.
 OwnedLinearSolver solver_of(Session& session, SUNContext context)
 {
-  OwnedLinearSolver linear(SUNLinSolNewEmpty(context));
+  OwnedLinearSolver linear = new_linear_solver(context);
   linear->content = &session;
   linear->ops->gettype = type_callback;
   linear->ops->setatimes = products_callback;
@@ -109,13 +107,13 @@ KinsolOutcome kinsol_solve(const NonlinearProblem& problem, double tolerance, in
   const auto n = static_cast<sunindextype>(u.size());
   const OwnedContext context = new_context();
   if (!context) return out;
-  const OwnedVector x(N_VMake_Serial(n, u.data(), context.get()));
-  const OwnedVector ones(N_VNew_Serial(n, context.get()));
+  const OwnedVector x = vector_of(n, u.data(), context.get());
+  const OwnedVector ones = new_vector(n, context.get());
   N_VConst(1.0, ones.get());
   Session session{&problem, u};
   const OwnedLinearSolver linear = solver_of(session, context.get());
 
-  const std::unique_ptr<void, FreeKinsol> memory(KINCreate(context.get()));
+  const std::unique_ptr<void, FreeKinsol> memory(new_kinsol(context.get()));
   void* kinsol = memory.get();
   silence_kinsol(kinsol);
   KINSetUserData(kinsol, &session);

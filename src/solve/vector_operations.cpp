@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/solve/vector_operations.h"
 
-#include <nvector/nvector_serial.h>
-
 #include <Eigen/Core>
 #include <cmath>
+
+#include "sundials.h"
 
 namespace drill_rig_sim
 {
@@ -12,7 +12,7 @@ namespace
 {
 Eigen::Map<Eigen::ArrayXd> numbers(N_Vector v)
 {
-  return {N_VGetArrayPointer(v), N_VGetLength(v)};
+  return {N_VGetArrayPointer(v), size_of(v)};
 }
 
 /// z = sum of c[k] x[k]; z may be x[0].

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <stdexcept>
+#include <string>
 
 #include "drill_rig_sim/compared/arkode_stepper.h"
 #include "drill_rig_sim/crew/player.h"
@@ -78,8 +80,35 @@ Drilling drill(IntegratorKind integrator, double from, double to)
 }
 }  // namespace
 
+class Arkode : public testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    if (!ArkodeStepper::available()) GTEST_SKIP() << "this build's SUNDIALS is older than 6";
+  }
+};
+
+TEST(ArkodeStepper, isThereOrRefusedWithItsReason)
+{
+  const RigAtRest start = plucked();
+  std::string reason;
+  try
+  {
+    ArkodeStepper stepper(start.model);
+  }
+  catch (const std::runtime_error& error)
+  {
+    reason = error.what();
+  }
+  if (ArkodeStepper::available())
+    EXPECT_EQ(reason, "");
+  else
+    EXPECT_EQ(reason.find("numerics.integrator: arkode_dirk is not available in this build: it needs SUNDIALS 6"), 0u) << reason;
+}
+
 // Steps in the ratio 1 : 2 : 4, the coarsest 1 ms.
-TEST(Arkode, isOfSecondOrder)
+TEST_F(Arkode, isOfSecondOrder)
 {
   const RigAtRest start = plucked();
   const Eigen::VectorXd fine = after_arkode(start, 0.00025), middle = after_arkode(start, 0.0005),
@@ -87,7 +116,7 @@ TEST(Arkode, isOfSecondOrder)
   EXPECT_NEAR(std::log2((coarse - middle).norm() / (middle - fine).norm()), 2.0, 0.1);
 }
 
-TEST(Arkode, goesToTheSolutionOfBdf2)
+TEST_F(Arkode, goesToTheSolutionOfBdf2)
 {
   const RigAtRest start = plucked();
   const Eigen::VectorXd reference = after_own(start, IntegratorKind::bdf2, 0.00005);
@@ -97,7 +126,7 @@ TEST(Arkode, goesToTheSolutionOfBdf2)
 
 // One formula, two codes. Ours carries the acceleration over from the step before where ARKODE evaluates it: the same but for the
 // turn of the axes within a step and what Newton's method leaves.
-TEST(Arkode, agreesWithOurTrBdf2AtEveryStep)
+TEST_F(Arkode, agreesWithOurTrBdf2AtEveryStep)
 {
   const RigAtRest start = plucked();
   for (double step : {0.005, 0.001})
@@ -105,7 +134,7 @@ TEST(Arkode, agreesWithOurTrBdf2AtEveryStep)
 }
 
 // Contact, friction, the breaking rock, the rotor's loop: all that the plucked string has not. Ten seconds on bottom.
-TEST(Arkode, drillsAsOurTrBdf2Does)
+TEST_F(Arkode, drillsAsOurTrBdf2Does)
 {
   const Drilling ours = drill(IntegratorKind::trbdf2, 45.0, 55.0), theirs = drill(IntegratorKind::arkode_dirk, 45.0, 55.0);
   EXPECT_GT(ours.wob, 1e3);
@@ -121,7 +150,7 @@ TEST(Arkode, drillsAsOurTrBdf2Does)
 // Nothing that ARKODE remembers reaches the next step.
 // Beside those of Newton's method with their tangents, a step takes two evaluations: the rates at its start, and its end's
 // results.
-TEST(Arkode, aStepEvaluatesNothingTwice)
+TEST_F(Arkode, aStepEvaluatesNothingTwice)
 {
   const RigAtRest start = plucked();
   ArkodeStepper stepper(start.model);
@@ -134,7 +163,7 @@ TEST(Arkode, aStepEvaluatesNothingTwice)
       << "smooth: fewer than two a stage";
 }
 
-TEST(Arkode, goesOnBitByBitFromASnapshot)
+TEST_F(Arkode, goesOnBitByBitFromASnapshot)
 {
   const Scene scene = quick_scene(IntegratorKind::arkode_dirk);
   Simulator rig(scene);
@@ -163,7 +192,7 @@ TEST(Arkode, goesOnBitByBitFromASnapshot)
 }
 
 // A step that is far too long for Newton's method is halved, or refused with the state as it was.
-TEST(Arkode, stepsThatCannotBeSolvedLeaveAFiniteState)
+TEST_F(Arkode, stepsThatCannotBeSolvedLeaveAFiniteState)
 {
   const RigAtRest start = plucked();
   State state = start.state;

@@ -22,9 +22,12 @@ namespace drill_rig_sim
 class ArkodeStepper : public HalvingIntegrator
 {
 public:
-  /// Throws std::runtime_error if SUNDIALS cannot be set up.
+  /// Throws std::runtime_error if SUNDIALS cannot be set up, or is older than 6.
   explicit ArkodeStepper(std::shared_ptr<const Model> model);
   ~ArkodeStepper() override;
+
+  /// Whether this build's SUNDIALS has what it needs.
+  static bool available() noexcept;
 
   NewtonLimits& limits() noexcept;
 
