@@ -217,11 +217,20 @@ void load_survey(InProcessRig& rig, const std::string& file, const std::vector<d
   if (tie_in != std::array<double, 3>{}) well.tie_in = TieIn{tie_in[0], tie_in[1], tie_in[2]};
   rig.load_survey(well);
 }
+/// Not those of other modules of pybind11, such as matplotlib 3.10's. Before 2.9 the build sees to that (CMakeLists.txt).
+void translate_exceptions()
+{
+#if PYBIND11_VERSION_MAJOR > 2 || PYBIND11_VERSION_MINOR >= 9
+  py::register_local_exception_translator(translate);
+#else
+  py::register_exception_translator(translate);
+#endif
+}
 }  // namespace
 
 PYBIND11_MODULE(_sim, module)
 {
-  py::register_local_exception_translator(translate);  // not for other modules of pybind11, such as those of matplotlib 3.10
+  translate_exceptions();
   bind_functions(module);
   bind_setpoints(module);
   bind_frames(module);
