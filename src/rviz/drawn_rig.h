@@ -2,13 +2,12 @@
 #ifndef DRILL_RIG_SIM_SRC_RVIZ_DRAWN_RIG_H
 #define DRILL_RIG_SIM_SRC_RVIZ_DRAWN_RIG_H
 
-#include <rviz/ogre_helpers/ogre_vector.h>
-
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "ogre_vector.h"
 #include "picture/hole_axis.h"
 #include "picture/string_tube.h"
 #include "picture/well_picture.h"

@@ -2,12 +2,11 @@
 #ifndef DRILL_RIG_SIM_SRC_RVIZ_LABEL_SET_H
 #define DRILL_RIG_SIM_SRC_RVIZ_LABEL_SET_H
 
-#include <rviz/ogre_helpers/ogre_vector.h>
-
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "ogre_vector.h"
 #include "picture/color_scale.h"
 
 namespace Ogre
