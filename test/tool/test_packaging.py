@@ -1,0 +1,72 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""What ./test/packaging/run refuses, and how its things are counted; the chroot itself is no part of these tests."""
+import contextlib
+import io
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+sys.dont_write_bytecode = True
+FOLDER = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), 'packaging')
+sys.path.insert(0, FOLDER)
+import workspace  # noqa: E402
+
+
+def refused(*options):
+    """Status and the first line of the refusal."""
+    done = subprocess.run([os.path.join(FOLDER, 'run'), *options], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, universal_newlines=True, check=False)
+    return done.returncode, done.stdout.split('\n')[0]
+
+
+class Run(unittest.TestCase):
+    def test_wrong_options(self):
+        self.assertEqual((2, 'run: --suite must be bullseye, bookworm, trixie or sid (got buster)'), refused('--suite', 'buster'))
+        self.assertEqual((2, 'run: --keep needs a value'), refused('--keep'))
+        self.assertEqual((2, 'run: unknown option: --fast'), refused('--fast'))
+
+
+class Things(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.addCleanup(setattr, workspace, 'LOGS', workspace.LOGS)
+        workspace.LOGS = self.folder = folder.name
+
+    def line(self, thing, *given):
+        """What is printed of a thing, its columns apart, and its result."""
+        printed = io.StringIO()
+        with contextlib.redirect_stdout(printed):
+            result = workspace.tried('a thing, devel', thing, *given)
+        return result, printed.getvalue().strip()
+
+    def test_a_line_each(self):
+        result, line = self.line(lambda log: log.bash('echo 3', folder=self.folder).strip() + ' programs')
+        self.assertEqual('ok', result)
+        self.assertRegex(line, r'^ok +a thing, devel +0 s  3 programs$')
+
+    def test_a_command_that_fails(self):
+        result, line = self.line(lambda log: log.bash('echo before; false; echo after', folder=self.folder))
+        self.assertEqual('failed', result)
+        self.assertRegex(line, r'^failed +a thing, devel +0 s  status 1; all it said is in %s/a_thing_devel.log$' % self.folder)
+        with open(self.folder + '/a_thing_devel.log', encoding='utf-8') as log:
+            self.assertTrue(log.read().endswith('before\n'))
+        self.assertEqual('failed', self.line(lambda log: log.bash('false | cat', folder=self.folder))[0])
+
+    def test_what_is_skipped_says_why(self):
+        self.addCleanup(setattr, workspace.shutil, 'which', workspace.shutil.which)
+        workspace.shutil.which = lambda program: None
+        self.assertRegex(self.line(workspace.catkin_build)[1], '^skipped .* this release has no catkin-tools$')
+        self.assertRegex(self.line(workspace.rviz, self.folder)[1], '^skipped .* no plug-ins in this build$')
+
+    def test_hook_loads(self):
+        self.assertEqual('hook load 234.6 kN', workspace.check_hook_load('time: 1\nhook_load: 234567.0\n'))
+        for printed in ('', 'hook_load: 0.0', 'hook_load: 2e5\nhook_load: 2e5', 'hook_load: 2e6'):
+            with self.assertRaises(workspace.Failed):
+                workspace.check_hook_load(printed)
+
+
+if __name__ == '__main__':
+    unittest.main()
