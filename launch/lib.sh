@@ -1,7 +1,7 @@
 # Shared by launch/demo and test/run: the apt packages and the environment; the build is build.sh. Sourced, not run.
 
 # The only list of what the package needs, by the names of Debian 12; differences of other releases stand below it.
-debian_releases="12 13"
+debian_releases="11 12 13 sid"
 packages_build="g++ make cmake catkin ros-actionlib-msgs ros-std-msgs ros-geometry-msgs libactionlib-dev libdiagnostic-msgs-dev libdiagnostic-updater-dev libdynamic-reconfigure-config-init-mutex-dev libgeometry-msgs-dev
   libnav-msgs-dev librosbag-storage-dev libroscpp-dev libroslib-dev libros-rosgraph-msgs-dev libsensor-msgs-dev libstd-srvs-dev libtf2-msgs-dev libtf2-ros-dev
   libvisualization-msgs-dev libeigen3-dev libsuitesparse-dev libsundials-dev libyaml-cpp-dev libtinyxml2-dev libcli11-dev nlohmann-json3-dev libspectra-dev libhwy-dev libgtest-dev
@@ -18,9 +18,14 @@ packages_fuzz="clang libclang-rt-dev"
 packages_neon="g++-aarch64-linux-gnu qemu-user"
 packages_manual="python3-sphinx python3-myst-parser python3-breathe doxygen furo libjs-mathjax fonts-mathjax"
 
-debian=$(. /etc/os-release 2>/dev/null; [ "${ID:-}" != debian ] || echo "${VERSION_ID:-}")  # 12 for example; empty: another system
+debian=$(. /etc/os-release 2>/dev/null; [ "${ID:-}" != debian ] || echo "${VERSION_ID:-sid}")  # 12 for example; empty: another system
+without() { tr ' ' '\n' <<<"$1" | grep -vxF "$(tr ' ' '\n' <<<"$2")" | tr '\n' ' '; }
 case "$debian" in
-  13) packages_rviz="rviz" ;;  # it has Qt 6, for which Debian has no Qwt: the plug-ins are left out
+  11)
+    packages_build=$(without "$packages_build" "libcli11-dev libspectra-dev libhwy-dev")  # it has none: no runner, scalar kernels
+    packages_rviz+=" libopengl-dev"  # librviz-dev does not depend on it
+    ;;
+  13|sid) packages_rviz="rviz" ;;  # it has Qt 6, for which Debian has no Qwt: the plug-ins are left out
 esac
 
 package_dir=$(cd -P "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -67,7 +72,7 @@ install_packages()
     say "a ROS $ROS_DISTRO environment is loaded: installing nothing, using what is there"
     return 0
   elif [ -z "$debian" ] || [[ " $debian_releases " != *" $debian "* ]]; then
-    say "this is not Debian ${debian_releases// / or }: installing nothing, using what is there"
+    say "this is not Debian ${debian_releases// /, }: installing nothing, using what is there"
     return 0
   fi
   missing=$(missing_packages "$@")
