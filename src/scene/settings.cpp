@@ -87,7 +87,7 @@ void apply_settings(const YAML::Node& root, const std::vector<std::string>& sett
     }
     try
     {
-      node = YAML::Load(setting.substr(equals + 1));
+      node = YAML::Load(text_for_yaml(setting.substr(equals + 1)));
     }
     catch (const YAML::Exception& e)
     {

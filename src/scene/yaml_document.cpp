@@ -98,6 +98,11 @@ std::string without_content(const std::string& message)
 
 }  // namespace
 
+std::string text_for_yaml(const std::string& text)
+{
+  return !text.empty() && text.back() == ':' ? text + ' ' : text;
+}
+
 bool hides_a_unit(const std::string& line)
 {
   const std::size_t sign = line.find(" #");  // a comment begins there; what follows is part of it
@@ -111,7 +116,8 @@ Document load_document(const std::string& text, Problems& problems)
   if (text.size() > longest_text) problems.fail(0, "YAML", "larger than 16 MiB: this is not a scene");
   try
   {
-    std::istringstream in(text);
+    const std::string given = text_for_yaml(text);
+    std::istringstream in(given);
     YAML::Parser parser(in);
     Counter counter;
     while (parser.HandleNextDocument(counter))
@@ -119,7 +125,7 @@ Document load_document(const std::string& text, Problems& problems)
     }
     if (counter.documents() == 0 || counter.empty()) problems.fail(1, "YAML", "the file is empty, needed: a scene");
     refuse_hidden_units(text, problems);
-    return {YAML::Load(text), counter.has_aliases()};
+    return {YAML::Load(given), counter.has_aliases()};
   }
   catch (const Refusal& refusal)
   {

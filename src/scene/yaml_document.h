@@ -20,6 +20,10 @@ struct Document
 /// not.
 Document load_document(const std::string& text, Problems& problems);
 
+/// `text` as yaml-cpp gets it: version 0.6.3 (Debian 11) goes on for ever, and takes all memory, where the last character is the
+/// colon of a key in braces that are not closed.
+std::string text_for_yaml(const std::string& text);
+
 /// Whether YAML takes the unit of a number for a comment, as in `19.5 #/ft`: it would be read as a number without a unit.
 bool hides_a_unit(const std::string& line);
 constexpr const char* hidden_unit = "YAML reads # as the start of a comment; write lb/ instead of #/";

@@ -188,6 +188,29 @@ TEST(SceneBad, AMutatedSceneNeverCrashes)
   for (int i = 0; i < 3000; ++i) must_not_crash(mutated(text, random), name);
 }
 
+/// What it is refused with; empty: accepted.
+std::string refusal(const std::string& text, const std::vector<std::string>& settings = {})
+{
+  try
+  {
+    parse_scene(text, "ends.yaml", settings);
+  }
+  catch (const SceneError& error)
+  {
+    return error.problems().at(0);
+  }
+  return "";
+}
+
+// yaml-cpp 0.6.3 (Debian 11) takes all memory there.
+TEST(SceneBad, BracesThatEndWithAColonAreRefused)
+{
+  EXPECT_EQ(refusal("a: 1\nname: {b:"), "ends.yaml:2: YAML: cannot be parsed: a } or a comma is missing");
+  EXPECT_EQ(refusal("name: [b:"), "ends.yaml:1: YAML: cannot be parsed: a ] or a comma is missing");
+  const std::string text = text_of(in_source("config/scenes/quick.yaml"));
+  EXPECT_NE(refusal(text, {"numerics.step={b:"}).find("numerics.step: cannot be parsed: "), std::string::npos);
+}
+
 TEST(SceneBad, DeepNestingIsRefused)
 {
   must_not_crash("name: " + std::string(20000, '['), "deep.yaml");
