@@ -100,7 +100,29 @@ std::string without_content(const std::string& message)
 
 std::string text_for_yaml(const std::string& text)
 {
-  return !text.empty() && text.back() == ':' ? text + ' ' : text;
+#ifdef DRILL_RIG_SIM_YAML_CPP_0_6
+  std::string out;
+  char quote = 0, before = '\n';
+  bool comment = false;
+  for (std::size_t i = 0; i < text.size(); before = text[i++])
+  {
+    const char c = text[i];
+    const bool begins = std::string(" \t\n,[{").find(before) != std::string::npos;
+    if (c == '\n') comment = false;
+    if (c == '\n' || c == quote)
+      quote = 0;
+    else if (begins && quote == 0 && !comment)
+    {
+      comment = c == '#';
+      if (c == '"' || c == '\'') quote = c;
+    }
+    out += c;
+    if (c == ':' && quote == 0 && !comment && (i + 1 == text.size() || text[i + 1] == ']')) out += ' ';
+  }
+  return out;
+#else
+  return text;
+#endif
 }
 
 bool hides_a_unit(const std::string& line)

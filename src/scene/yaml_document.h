@@ -20,8 +20,8 @@ struct Document
 /// not.
 Document load_document(const std::string& text, Problems& problems);
 
-/// `text` as yaml-cpp gets it: version 0.6.3 (Debian 11) goes on for ever, and takes all memory, where the last character is the
-/// colon of a key in braces that are not closed.
+/// `text` as yaml-cpp gets it: version 0.6.3 (Debian 11) goes on for ever, and takes all memory, where the colon of a key in
+/// braces is the last character or stands before a ]. There it gets a blank.
 std::string text_for_yaml(const std::string& text);
 
 /// Whether YAML takes the unit of a number for a comment, as in `19.5 #/ft`: it would be read as a number without a unit.

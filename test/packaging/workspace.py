@@ -70,7 +70,7 @@ def catkin_build(log):
     if not shutil.which('catkin'):
         raise Skipped('this release has no catkin-tools')
     log.bash('catkin config --init --build-space build_tools --devel-space devel_tools --install-space install_tools --log-space log_tools --install'
-             ' --no-cmake-args --cmake-args -DCATKIN_ENABLE_TESTING=OFF -DDRILL_RIG_SIM_PYTHON_MODULE=OFF %s; catkin build --no-status -j%d' % (FEWER, jobs()))
+             ' --cmake-args -DCATKIN_ENABLE_TESTING=OFF -DDRILL_RIG_SIM_PYTHON_MODULE=OFF %s; catkin build --no-status -j%d' % (FEWER, jobs()))
 
 
 def has(space, *names):
