@@ -77,11 +77,16 @@ void interpolate_mud(const Between& between, const HydraulicState& a, const Hydr
 }
 }  // namespace
 
-void interpolate(const State& start, const State& end, double share, State& out) noexcept
+void interpolate_nodes(const State& start, const State& end, double share, std::size_t first, std::size_t last, State& out) noexcept
+{
+  const Between between{share};
+  for (std::size_t i = first; i < last; ++i) interpolate_node(between, start.nodes[i], end.nodes[i], out.nodes[i]);
+}
+
+void interpolate_rig(const State& start, const State& end, double share, State& out) noexcept
 {
   const Between between{share};
   out.time = between(start.time, end.time);
-  for (std::size_t i = 0; i < out.nodes.size(); ++i) interpolate_node(between, start.nodes[i], end.nodes[i], out.nodes[i]);
   out.drive.angle = between(start.drive.angle, end.drive.angle);
   out.drive.speed = between(start.drive.speed, end.drive.speed);
   out.hoist.line_length = between(start.hoist.line_length, end.hoist.line_length);
@@ -97,7 +102,13 @@ void interpolate(const State& start, const State& end, double share, State& out)
   out.flow = between(start.flow, end.flow);
 }
 
-void interpolate(const RigForces& start, const RigForces& end, double share, RigForces& out) noexcept
+void interpolate(const State& start, const State& end, double share, State& out) noexcept
+{
+  interpolate_rig(start, end, share, out);
+  interpolate_nodes(start, end, share, 0, out.nodes.size(), out);
+}
+
+void interpolate_loads(const RigForces& start, const RigForces& end, double share, RigForces& out) noexcept
 {
   const Between between{share};
   between(start.tension, end.tension, out.tension);
@@ -107,6 +118,11 @@ void interpolate(const RigForces& start, const RigForces& end, double share, Rig
   between(start.wall, end.wall, out.wall);
   between(start.span_contact, end.span_contact, out.span_contact);
   between(start.span_wall, end.span_wall, out.span_wall);
+}
+
+void interpolate_rig(const RigForces& start, const RigForces& end, double share, RigForces& out) noexcept
+{
+  const Between between{share};
   out.bit_force = between(start.bit_force, end.bit_force);
   out.bit_moment = between(start.bit_moment, end.bit_moment);
   out.rock_force = between(start.rock_force, end.rock_force);
@@ -119,6 +135,12 @@ void interpolate(const RigForces& start, const RigForces& end, double share, Rig
   out.meter_torque = between(start.meter_torque, end.meter_torque);
   out.drive_torque = between(start.drive_torque, end.drive_torque);
   out.gear_friction = between(start.gear_friction, end.gear_friction);
+}
+
+void interpolate(const RigForces& start, const RigForces& end, double share, RigForces& out) noexcept
+{
+  interpolate_rig(start, end, share, out);
+  interpolate_loads(start, end, share, out);
 }
 
 }  // namespace drill_rig_sim

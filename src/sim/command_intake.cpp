@@ -45,7 +45,7 @@ const char* CommandIntake::locked(const SteeringSetpoint&) const noexcept
 StringAtTable CommandIntake::at_table() const noexcept
 {
   constexpr double standing_block = 0.01;  // bouncing in its lines by less it counts as at rest [m/s]
-  const State& now = motion_.shown();
+  const State& now = motion_.shown_at_ends();
   const Setpoints set = requested();
   const bool bounces =
       scene_.rig.heave.amplitude == 0.0 && std::abs(block_velocity(now)) > standing_block;  // in waves it always does
@@ -77,7 +77,7 @@ void CommandIntake::steer() noexcept
   Setpoints& asked = commands_.asked;
   const auto heard = downlink_.hear(motion_.now(), state_.truth.bit_flow, model.steerable()->downlink_bit_time);
   if (heard) asked.steering = *heard;
-  asked.magnetic_steering = toolface_reference(x_axis(motion_.shown().nodes[node].orientation), asked.magnetic_steering).magnetic;
+  asked.magnetic_steering = toolface_reference(x_axis(motion_.shown_at_ends().nodes[node].orientation), asked.magnetic_steering).magnetic;
 }
 
 Setpoints CommandIntake::in_force() const noexcept

@@ -49,7 +49,7 @@ void CrewWork::attend(double duration) noexcept
   if (!is_busy()) begin_connection();
   if (!is_busy()) return;
   Setpoints& by_crew = rig_.commands.by_crew();
-  const double height = block_height(rig_.motion.shown());
+  const double height = block_height(rig_.motion.shown_at_ends());
   if (has_done(duration, by_crew.winch)) go_on(height);
   const bool at_rest = crew_.doing >= CrewTask::quieting && crew_.doing < CrewTask::restarting;
   by_crew.top_drive = at_rest ? TopDriveSetpoint() : rig_.commands.asked().top_drive;
@@ -68,7 +68,7 @@ void CrewWork::begin_connection() noexcept
   if (rig_.scene.connections != Connections::automatic && !crew_.called) return;
   const WinchSetpoint winch = rig_.commands.requested().winch;
   const bool moves = !winch.brake && winch.block_velocity != 0.0;
-  if (!moves || rig_.motion.shown().slips.node >= 0 || rig_.state.connection.under_way) return;
+  if (!moves || rig_.motion.shown_at_ends().slips.node >= 0 || rig_.state.connection.under_way) return;
   const bool adds = winch.block_velocity < 0.0;
   if (!(adds ? has_to_add() : has_to_take_away())) return;
   const bool called = crew_.called;
@@ -82,7 +82,7 @@ void CrewWork::begin_connection() noexcept
 
 bool CrewWork::has_to_add() const noexcept
 {
-  const State& now = rig_.motion.shown();
+  const State& now = rig_.motion.shown_at_ends();
   const Mesh& mesh = rig_.motion.model()->mesh();
   const HoistingSpec& spec = rig_.scene.rig.hoisting;
   if (joints_below_stump(mesh, rig_.scene) < 1) return false;
@@ -107,7 +107,7 @@ bool CrewWork::has_to_take_away() const noexcept
 WinchSetpoint CrewWork::to_slack(double frame) const noexcept
 {
   const HoistingSpec& spec = rig_.scene.rig.hoisting;
-  const State& now = rig_.motion.shown();
+  const State& now = rig_.motion.shown_at_ends();
   const double load = rig_.pipe.rest_load();
   if (std::abs(load) <= rests) return {0.0, false};
   const double stiffness = line_pull(spec, block_height(now), now.hoist.line_length).stiffness;
@@ -119,7 +119,7 @@ WinchSetpoint CrewWork::to_slack(double frame) const noexcept
 bool CrewWork::has_done(double frame, WinchSetpoint& winch) noexcept
 {
   const HoistingSpec& spec = rig_.scene.rig.hoisting;
-  const State& now = rig_.motion.shown();
+  const State& now = rig_.motion.shown_at_ends();
   const double height = block_height(now), lift = stick_up + lift_over_waves(rig_.scene.rig.heave);
   winch = {0.0, false};
   switch (crew_.doing)
@@ -150,7 +150,7 @@ bool CrewWork::has_done(double frame, WinchSetpoint& winch) noexcept
 
 bool CrewWork::has_quieted() noexcept
 {
-  const State& now = rig_.motion.shown();
+  const State& now = rig_.motion.shown_at_ends();
   const bool quiet = std::abs(block_velocity(now)) < quiet_block || crew_.waited > patience;
   const bool at_rest = std::abs(now.drive.speed) <= standing_rotor && now.hydraulics.pump_flow <= 0.0;
   const int joint = crew_.adds ? uppermost_joint(rig_.motion.model()->mesh()) : rig_.pipe.joint_below_stand();
@@ -167,7 +167,7 @@ bool CrewWork::has_broken_out() noexcept
 
 bool CrewWork::has_restarted() const noexcept
 {
-  const State& now = rig_.motion.shown();
+  const State& now = rig_.motion.shown_at_ends();
   const Setpoints& asked = rig_.commands.asked();
   const double speed = asked.top_drive.speed, flow = asked.pump.flow;
   const bool to_speed = !asked.top_drive.brake && keeps_speed(asked.top_drive.mode);

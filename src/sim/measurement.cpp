@@ -50,6 +50,7 @@ Measurement::Measurement(const Scene& scene, const Motion& motion, const Command
 void Measurement::string_changed()
 {
   watch_ = StringWatch(*motion_.model());
+  looked_at_ = NAN;
   note_ring();
 }
 
@@ -65,7 +66,7 @@ void Measurement::note_ring() noexcept
 void Measurement::measure(double duration) noexcept
 {
   truth_.rop = (motion_.hole_depth() - truth_.hole_depth) / duration;
-  watch_model(*motion_.model(), motion_.shown(), motion_.shown_forces(), duration, accuracy_);
+  watch_model(*motion_.model(), motion_.reached(), motion_.reached_forces(), duration, accuracy_);
   measure_all();
 }
 
@@ -132,7 +133,7 @@ void Measurement::shift_time(double shift, double now) noexcept
 /// That the motor's torque needs [Pa].
 double Measurement::motor_pressure() const noexcept
 {
-  const State& s = motion_.shown();
+  const State& s = motion_.shown_at_ends();
   const MotorSpec* motor = motion_.model()->motor();
   return motor ? mud_motor_pressure(s.flow, motor->pressure_displacement(), motor_load(*motion_.model(), s)) : 0.0;
 }
@@ -140,7 +141,7 @@ double Measurement::motor_pressure() const noexcept
 void Measurement::measure_rig() noexcept
 {
   Truth& m = truth_;
-  const State& s = motion_.shown();
+  const State& s = motion_.shown_at_ends();
   const HoistingSpec& hoisting = scene_.rig.hoisting;
   m.time = s.time;
   measure_block();
@@ -155,7 +156,7 @@ void Measurement::measure_rig() noexcept
   m.tared = tared_;
   m.surface_wob = tared_ && !m.in_slips ? tare_hook_load_ - m.hook_load : 0.0;
   m.setpoints = commands_.in_force();
-  zero_mean_.take(m.hook_load, m, motion_.shown_forces().wob > 0.0);
+  zero_mean_.take(m.hook_load, m, motion_.shown_at_rig().wob > 0.0);
   m.brake_set = m.setpoints.winch.brake;
   m.winch_limited = s.hoist.limited;
   m.slack_line = line_pull(hoisting, block_height(s), s.hoist.line_length).slack;
@@ -174,10 +175,10 @@ void Measurement::measure_rig() noexcept
 void Measurement::measure_block() noexcept
 {
   Truth& m = truth_;
-  const State& s = motion_.shown();
+  const State& s = motion_.shown_at_ends();
   const HoistingSpec& hoisting = scene_.rig.hoisting;
-  m.hook_load = motion_.shown_forces().hook_load;
-  m.torque = motion_.shown_forces().meter_torque;
+  m.hook_load = motion_.shown_at_rig().hook_load;
+  m.torque = motion_.shown_at_rig().meter_torque;
   m.floor_height = s.hoist.floor.height;
   m.floor_velocity = s.hoist.floor.speed;
   m.block_height = block_height(s);
@@ -199,7 +200,7 @@ void Measurement::measure_block() noexcept
 void Measurement::measure_string_built() noexcept
 {
   Truth& m = truth_;
-  m.in_slips = motion_.shown().slips.node >= 0;
+  m.in_slips = motion_.shown_at_ends().slips.node >= 0;
   m.crew = state_.connection.under_way ? CrewTask::connecting : state_.crew.doing;
   // whole joints of the last part, the one at the block counted by its length
   const double pipe = state_.string.length - motion_.model()->mesh().part_bottom.back();
@@ -210,13 +211,13 @@ void Measurement::measure_string_built() noexcept
 void Measurement::measure_bit() noexcept
 {
   Truth& m = truth_;
-  const State& s = motion_.shown();
+  const State& s = motion_.shown_at_ends();
   const NodeState& bit = s.nodes.front();
   const Vector3d axis = x_axis(bit.orientation);
   m.hole_depth = motion_.hole_depth();
   m.bit_depth = bit_depth(*motion_.model(), s);
   if (!m.in_slips) m.encoder_bit_depth = state_.string.length - m.block_height;
-  m.on_bottom = motion_.shown_forces().wob > 0.0;
+  m.on_bottom = motion_.shown_at_rig().wob > 0.0;
   m.bit_position = bit.position + motion_.model()->mesh().bit_radius * axis;
   m.bit_orientation = bit.orientation * rotation_from_vector(Vector3d(std::remainder(s.bit.turned, 2.0 * pi), 0.0, 0.0));
   m.bit_velocity = bit.rate.velocity + bit.rate.tilt.cross(motion_.model()->mesh().bit_radius * axis);
@@ -228,10 +229,10 @@ void Measurement::measure_bit() noexcept
   m.ecd = equivalent_circulating_density(scene_.mud.density, s.hydraulics.annulus_pressure, -m.bit_position.z());
   m.bit_speed = bit.rate.spin + s.bit.motor_speed;
   m.bit_angular_velocity = bit.rate.tilt + m.bit_speed * axis;
-  m.bit_force = motion_.shown_forces().bit_force;
-  m.bit_moment = motion_.shown_forces().bit_moment;
-  m.wob = motion_.shown_forces().wob;
-  m.bit_torque = motion_.shown_forces().bit_torque;
+  m.bit_force = motion_.shown_at_rig().bit_force;
+  m.bit_moment = motion_.shown_at_rig().bit_moment;
+  m.wob = motion_.shown_at_rig().wob;
+  m.bit_torque = motion_.shown_at_rig().bit_torque;
   const Vector3d hole = s.well.end_direction();
   m.bit_inclination = inclination_of(hole);
   m.bit_azimuth = azimuth_of(hole);
@@ -241,7 +242,7 @@ void Measurement::measure_bit() noexcept
 void Measurement::measure_string() noexcept
 {
   Truth& m = truth_;
-  statistics_.loads = watch_.look(*motion_.model(), motion_.shown(), motion_.shown_forces());
+  look_at_loads();
   m.over_stress = statistics_.loads.stress.share > 1.0;
   m.over_torque = statistics_.loads.torque.share > 1.0;
   m.buckled = statistics_.loads.buckling.share > 1.0;
@@ -249,19 +250,29 @@ void Measurement::measure_string() noexcept
   m.accuracy_warning = statistics_.accuracy.doubt != AccuracyDoubt::none;
 }
 
+/// Of the last step's end, once a step: frames may be much shorter.
+void Measurement::look_at_loads() noexcept
+{
+  const State& reached = motion_.reached();
+  if (reached.time == looked_at_) return;
+  looked_at_ = reached.time;
+  statistics_.loads = watch_.look(*motion_.model(), reached, motion_.reached_forces());
+}
+
 SensorView Measurement::sensor_view() const noexcept
 {
   SensorView view;
   const Mesh& mesh = motion_.model()->mesh();
   const Between at = find_between(mesh, mesh.sensor_from_bit >= 0.0 ? mesh.sensor_from_bit : 0.0);
-  const Quaterniond& upper = motion_.shown().nodes[at.lower + 1].orientation;
-  const Quaterniond q = motion_.shown().nodes[at.lower].orientation.slerp(std::clamp(at.share, 0.0, 1.0), upper);
+  const State& s = motion_.shown_at_ends();
+  const Quaterniond& upper = s.nodes[at.lower + 1].orientation;
+  const Quaterniond q = s.nodes[at.lower].orientation.slerp(std::clamp(at.share, 0.0, 1.0), upper);
   view.md = truth_.bit_depth - std::max(mesh.sensor_from_bit, 0.0);
   view.axis = x_axis(q);
   view.scribe = y_axis(q);
-  view.spin_speed = motion_.shown().nodes[at.lower].rate.spin;
-  view.pump_strokes = motion_.shown().hydraulics.strokes;
-  view.in_slips = state_.connection.under_way || slips_load(motion_.shown()) > 0.0;
+  view.spin_speed = s.nodes[at.lower].rate.spin;
+  view.pump_strokes = s.hydraulics.strokes;
+  view.in_slips = state_.connection.under_way || slips_load(s) > 0.0;
   if (scene_.instruments.dynamics.period > 0.0) view.sub = sub_view();
   return view;
 }

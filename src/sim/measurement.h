@@ -2,6 +2,7 @@
 #ifndef DRILL_RIG_SIM_SRC_SIM_MEASUREMENT_H
 #define DRILL_RIG_SIM_SRC_SIM_MEASUREMENT_H
 
+#include <cmath>
 #include <cstdint>
 
 #include "command_intake.h"
@@ -41,7 +42,11 @@ public:
   /// The motion's model is another one. Allocates.
   void string_changed();
   /// After the simulator's state was restored.
-  void resume() noexcept { statistics_.accuracy = accuracy_.report; }
+  void resume() noexcept
+  {
+    statistics_.accuracy = accuracy_.report;
+    looked_at_ = NAN;
+  }
   /// Moves all they remember by `shift` to `now` [s].
   void shift_time(double shift, double now) noexcept;
 
@@ -53,6 +58,7 @@ private:
   void measure_block() noexcept;
   void measure_bit() noexcept;
   void measure_string() noexcept;
+  void look_at_loads() noexcept;
   void measure_string_built() noexcept;
   double motor_pressure() const noexcept;
   SensorView sensor_view() const noexcept;
@@ -72,6 +78,7 @@ private:
   AccuracyMemory& accuracy_;
   SimulatorStatistics& statistics_;
   StringWatch watch_;
+  double looked_at_ = NAN;  // time of the state whose loads these are [s]
 };
 
 }  // namespace drill_rig_sim

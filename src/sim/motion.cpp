@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "between.h"
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/model/evaluate.h"
 #include "drill_rig_sim/model/interpolate.h"
@@ -31,6 +32,7 @@ Motion::Motion(const Scene& scene, std::shared_ptr<const Model> model, Simulator
       forces_between_(forces_)
 {
   levels_.free_length = std::min(free_length(scene), model_->mesh().nodes.back().from_bit);
+  of_tools_ = nodes_of_tools();
 }
 
 double Motion::hole_depth() const noexcept
@@ -117,12 +119,38 @@ bool Motion::solve_stride() noexcept
   return true;
 }
 
+/// Of the state what every frame looks at: most frames need no more.
 void Motion::show_stride() noexcept
 {
   const double share = stride_.played / stride_.length;
-  interpolate(mechanics_, stride_end_, share, between_);
+  interpolate_rig(mechanics_, stride_end_, share, between_);
+  interpolate_nodes(mechanics_, stride_end_, share, 0, of_tools_, between_);
+  const std::size_t top = between_.nodes.size() - 1;
+  interpolate_nodes(mechanics_, stride_end_, share, top, top + 1, between_);
+  if (const int held = between_.slips.node; held >= 0)
+    interpolate_nodes(mechanics_, stride_end_, share, static_cast<std::size_t>(held), static_cast<std::size_t>(held) + 1, between_);
   between_.time = now();
-  interpolate(forces_, end_forces_, share, forces_between_);
+  interpolate_rig(forces_, end_forces_, share, forces_between_);
+  whole_ = false;
+}
+
+/// The rest of it.
+void Motion::show_whole() const noexcept
+{
+  if (stride_.length == 0.0 || whole_) return;
+  const double share = stride_.played / stride_.length;
+  interpolate_nodes(mechanics_, stride_end_, share, of_tools_, between_.nodes.size() - 1, between_);
+  interpolate_loads(forces_, end_forces_, share, forces_between_);
+  whole_ = true;
+}
+
+/// From the bit up to the measuring and steering tools.
+std::size_t Motion::nodes_of_tools() const noexcept
+{
+  const Mesh& mesh = model_->mesh();
+  const int highest = std::max({find_between(mesh, std::max(mesh.sensor_from_bit, 0.0)).lower + 1, mesh.steering_node(),
+                                mesh.bend_node, 0});
+  return std::min(static_cast<std::size_t>(highest) + 1, mesh.nodes.size() - 1);
 }
 
 bool Motion::settle() noexcept
@@ -159,6 +187,7 @@ void Motion::take_model(std::shared_ptr<const Model> model)
   integrator_ = std::move(next);
   model_ = std::move(model);
   level_watch_ = LevelWatch(*model_);
+  of_tools_ = nodes_of_tools();
   stride_end_ = between_ = mechanics_;
   end_forces_ = forces_between_ = forces_;
   if (!balance_) return;

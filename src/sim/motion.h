@@ -23,8 +23,16 @@ public:
   const std::shared_ptr<const Model>& model() const noexcept { return model_; }
   Integrator& integrator() noexcept { return *integrator_; }
   /// What the last frame shows, in whose forces also.
-  const State& shown() const noexcept { return stride_.length > 0.0 ? between_ : mechanics_; }
-  const RigForces& shown_forces() const noexcept { return stride_.length > 0.0 ? forces_between_ : forces_; }
+  const State& shown() const noexcept { return show_whole(), shown_at_ends(); }
+  const RigForces& shown_forces() const noexcept { return show_whole(), shown_at_rig(); }
+  /// The same for less, where a stride is under way: nodes above the measuring and steering tools are its end's, but
+  /// for the top and what the slips hold.
+  const State& shown_at_ends() const noexcept { return stride_.length > 0.0 ? between_ : mechanics_; }
+  /// The same for less, where a stride is under way: loads along the string are of another time.
+  const RigForces& shown_at_rig() const noexcept { return stride_.length > 0.0 ? forces_between_ : forces_; }
+  /// The end of the last step, which may be later than what is shown by up to `longest_step`, and the forces there.
+  const State& reached() const noexcept { return stride_.length > 0.0 ? stride_end_ : mechanics_; }
+  const RigForces& reached_forces() const noexcept { return stride_.length > 0.0 ? end_forces_ : forces_; }
   /// Simulated time at the last frame's end [s].
   double now() const noexcept { return mechanics_.time + stride_.played; }
   /// At that time [m MD].
@@ -72,6 +80,8 @@ private:
   bool begin_stride(double duration) noexcept;
   bool solve_stride() noexcept;
   void show_stride() noexcept;
+  void show_whole() const noexcept;
+  std::size_t nodes_of_tools() const noexcept;
 
   const NumericsSpec& numerics_;
   State& mechanics_;
@@ -85,8 +95,12 @@ private:
   LevelWatch level_watch_;
   const bool variable_;  // steps, numerics.step 0
   // while a stride is under way: its end, and what the last frame shows
-  State stride_end_, between_;
-  RigForces end_forces_, forces_between_;
+  State stride_end_;
+  RigForces end_forces_;
+  mutable State between_;
+  mutable RigForces forces_between_;
+  mutable bool whole_ = true;  // also along the string
+  std::size_t of_tools_ = 0;   // nodes, from the bit up, that every frame shows
 };
 
 }  // namespace drill_rig_sim

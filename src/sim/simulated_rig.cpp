@@ -82,9 +82,9 @@ void SimulatedRig::count_start() noexcept
 void SimulatedRig::count_frame() noexcept
 {
   Integrator& integrator = motion.integrator();
-  const int guided = guided_nodes(motion.shown());
+  const int guided = guided_nodes(motion.shown_at_ends());
   statistics.level = name_of(motion.level());
-  statistics.coordinates = coordinates_of(motion.shown(), guided);
+  statistics.coordinates = coordinates_of(motion.shown_at_ends(), guided);
   statistics.guided_nodes = guided;
   statistics.guided_node_frames += static_cast<std::uint64_t>(guided);
   ++statistics.frames;
@@ -99,7 +99,7 @@ void SimulatedRig::count_frame() noexcept
     statistics.is_reference = true;
     statistics.reference = *report;
   }
-  statistics.last_step = motion.shown().memory.last_step;
+  statistics.last_step = motion.shown_at_ends().memory.last_step;
   statistics.last_error_estimate = integrator.error_estimate();
 }
 

@@ -180,6 +180,34 @@ TEST(Strides, framesAfterASnapshotOnTheWayAreBitIdentical)
   EXPECT_TRUE(bit_identical(first, go_on(other)));
 }
 
+// Most frames do not look at the whole string; those that do see it at their own time, whatever the frames before looked at.
+TEST(Strides, aFrameShowsTheWholeStringAtItsOwnTime)
+{
+  Simulator always = on_the_way(variable()), seldom = on_the_way(variable());
+  const std::size_t middle = static_cast<std::size_t>(always.statistics().nodes / 2);
+  StringProfile first, second, third;
+  int seen = 0;
+  for (int k = 0; k < 200; ++k)
+  {
+    std::swap(first, second);
+    std::swap(second, third);
+    play(always, 1);
+    play(seldom, 1);
+    always.profile(third);
+    if (always.save()->stride.played < 2.5 * kFrame) continue;
+    StringProfile once;
+    seldom.profile(once);
+    ASSERT_EQ(once.position, third.position);
+    ASSERT_EQ(once.tension, third.tension);
+    const double step = second.position[middle].z() - first.position[middle].z();
+    EXPECT_LT(step, -1e-6);
+    EXPECT_NEAR(third.position[middle].z() - second.position[middle].z(), step, 1e-9);
+    EXPECT_NEAR(third.tension[middle] - second.tension[middle], second.tension[middle] - first.tension[middle], 1e-3);
+    ++seen;
+  }
+  EXPECT_GT(seen, 10);
+}
+
 TEST(Strides, aSnapshotKeepsTimeOnTheWay)
 {
   Simulator rig = on_the_way(variable());

@@ -11,8 +11,15 @@ namespace drill_rig_sim
 /// and time are replaced. Interpolation is linear (orientations along the arc), so of second order, as the method is: a wave of
 /// frequency w has the error (w h)^2/8 inside a step h. Only for display: hole, bristles and memory are those of the end.
 void interpolate(const State& start, const State& end, double share, State& out) noexcept;
+/// The parts of it: nodes `first` up to but not including `last`, and all else.
+void interpolate_nodes(const State& start, const State& end, double share, std::size_t first, std::size_t last,
+                       State& out) noexcept;
+void interpolate_rig(const State& start, const State& end, double share, State& out) noexcept;
 /// The same of the forces; vectors of equal lengths.
 void interpolate(const RigForces& start, const RigForces& end, double share, RigForces& out) noexcept;
+/// The parts of it: the loads along the string, and those at bit and rig.
+void interpolate_loads(const RigForces& start, const RigForces& end, double share, RigForces& out) noexcept;
+void interpolate_rig(const RigForces& start, const RigForces& end, double share, RigForces& out) noexcept;
 
 }  // namespace drill_rig_sim
 
