@@ -77,7 +77,8 @@ void interpolate_mud(const Between& between, const HydraulicState& a, const Hydr
 }
 }  // namespace
 
-void interpolate_nodes(const State& start, const State& end, double share, std::size_t first, std::size_t last, State& out) noexcept
+void interpolate_nodes(const State& start, const State& end, double share, std::size_t first, std::size_t last,
+                       State& out) noexcept
 {
   const Between between{share};
   for (std::size_t i = first; i < last; ++i) interpolate_node(between, start.nodes[i], end.nodes[i], out.nodes[i]);

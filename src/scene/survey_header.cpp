@@ -109,8 +109,21 @@ Words without_datum(const Words& words)
   return rest;
 }
 
-void match_any(const Words& words, HeaderCell& cell)
+// takes out what was done to a value: which of "Inc" and "Inc Corrected" is meant, the file does not say
+Words without_treatment(const Words& words)
 {
+  const std::array<const char*, 14> treatments = {"raw", "uncorrected", "corrected", "corr", "cor",   "sag",  "ifr",
+                                                  "msa", "scc",         "final",     "gyro", "short", "long", "collar"};
+  Words rest;
+  std::copy_if(words.begin(), words.end(), std::back_inserter(rest),
+               [&](const std::string& word)
+               { return std::find(treatments.begin(), treatments.end(), word) == treatments.end(); });
+  return rest;
+}
+
+void match_any(const Words& name, HeaderCell& cell)
+{
+  const Words words = without_treatment(name);
   if (match(words, cell) || (match(without_datum(words), cell) && !is_angle(*cell.quantity))) return;
   std::string north;
   const bool is_azimuth = match(without_north(words, north), cell) && cell.quantity == survey_azimuth;

@@ -77,7 +77,8 @@ void CommandIntake::steer() noexcept
   Setpoints& asked = commands_.asked;
   const auto heard = downlink_.hear(motion_.now(), state_.truth.bit_flow, model.steerable()->downlink_bit_time);
   if (heard) asked.steering = *heard;
-  asked.magnetic_steering = toolface_reference(x_axis(motion_.shown_at_ends().nodes[node].orientation), asked.magnetic_steering).magnetic;
+  const Eigen::Vector3d axis = x_axis(motion_.shown_at_ends().nodes[node].orientation);
+  asked.magnetic_steering = toolface_reference(axis, asked.magnetic_steering).magnetic;
 }
 
 Setpoints CommandIntake::in_force() const noexcept

@@ -128,7 +128,10 @@ void Motion::show_stride() noexcept
   const std::size_t top = between_.nodes.size() - 1;
   interpolate_nodes(mechanics_, stride_end_, share, top, top + 1, between_);
   if (const int held = between_.slips.node; held >= 0)
-    interpolate_nodes(mechanics_, stride_end_, share, static_cast<std::size_t>(held), static_cast<std::size_t>(held) + 1, between_);
+  {
+    const auto first = static_cast<std::size_t>(held);
+    interpolate_nodes(mechanics_, stride_end_, share, first, first + 1, between_);
+  }
   between_.time = now();
   interpolate_rig(forces_, end_forces_, share, forces_between_);
   whole_ = false;
@@ -148,8 +151,8 @@ void Motion::show_whole() const noexcept
 std::size_t Motion::nodes_of_tools() const noexcept
 {
   const Mesh& mesh = model_->mesh();
-  const int highest = std::max({find_between(mesh, std::max(mesh.sensor_from_bit, 0.0)).lower + 1, mesh.steering_node(),
-                                mesh.bend_node, 0});
+  const int highest =
+      std::max({find_between(mesh, std::max(mesh.sensor_from_bit, 0.0)).lower + 1, mesh.steering_node(), mesh.bend_node, 0});
   return std::min(static_cast<std::size_t>(highest) + 1, mesh.nodes.size() - 1);
 }
 

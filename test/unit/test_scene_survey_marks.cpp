@@ -237,4 +237,14 @@ TEST(SurveyMarks, RadiansUnderDegrees)
   EXPECT_TRUE(read(vertical).remarks.empty());
   EXPECT_TRUE(read(north).remarks.empty());
 }
+
+// Which of "Inc" and "Inc Corrected" is meant, the file does not say.
+TEST(SurveyMarks, RawAndCorrectedAnglesAreRefused)
+{
+  EXPECT_TRUE(holds(refusal("MD (m),Inc (deg),Inc Corrected (deg),Azi (deg)\n0,0,0,0\n"),
+                    "several columns fit: \"Inc (deg)\", \"Inc Corrected (deg)\""));
+  EXPECT_TRUE(holds(refusal("MD (m),Inc (deg),Azi True (deg),Azi True Corr. (deg)\n0,0,0,0\n"),
+                    "several columns fit: \"Azi True (deg)\", \"Azi True Corr. (deg)\""));
+  EXPECT_EQ("accepted", refusal("MD (m),Inc Corrected (deg),Azi (sag, deg)\n0,0,0\n9,0,0\n"));
+}
 }  // namespace drill_rig_sim::test_scene_survey_marks
