@@ -76,7 +76,7 @@ struct SimulatorStatistics
   double last_step = 0.0;              ///< the one that the last frame lies in, or its last [s]
   double last_error_estimate = 0.0;    ///< local, of the last step's positions [m]
   std::optional<TightAssembly> tight;  ///< by the start's forces
-  StringLoads loads;                   ///< of the last frame
+  StringLoads loads;                   ///< at the end of the last step, up to 50 ms after the frame
   AccuracyReport accuracy;             ///< what stands after the last frame
   bool error_is_measured =
       false;  ///< numerics.companion goes along, and these are the errors by output (Simulator::measured_error()) [-]:
