@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <functional>
 #include <map>
+#include <set>
 
 #include "survey_words.h"
 
@@ -99,26 +100,28 @@ Words without_north(const Words& words, std::string& north)
   return rest;
 }
 
+// takes the words of a list out
+Words without(const Words& words, const std::set<std::string>& list)
+{
+  Words rest;
+  std::copy_if(words.begin(), words.end(), std::back_inserter(rest),
+               [&list](const std::string& word) { return list.count(word) == 0; });
+  return rest;
+}
+
 // takes the names of the rotary table out, from which depths count anyway
 Words without_datum(const Words& words)
 {
-  const std::array<const char*, 10> data = {"rkb", "kb", "brt", "rt", "brkb", "bkb", "rte", "df", "below", "from"};
-  Words rest;
-  std::copy_if(words.begin(), words.end(), std::back_inserter(rest),
-               [&](const std::string& word) { return std::find(data.begin(), data.end(), word) == data.end(); });
-  return rest;
+  static const std::set<std::string> data = {"rkb", "kb", "brt", "rt", "brkb", "bkb", "rte", "df", "below", "from"};
+  return without(words, data);
 }
 
 // takes out what was done to a value: which of "Inc" and "Inc Corrected" is meant, the file does not say
 Words without_treatment(const Words& words)
 {
-  const std::array<const char*, 14> treatments = {"raw", "uncorrected", "corrected", "corr", "cor",   "sag",  "ifr",
-                                                  "msa", "scc",         "final",     "gyro", "short", "long", "collar"};
-  Words rest;
-  std::copy_if(words.begin(), words.end(), std::back_inserter(rest),
-               [&](const std::string& word)
-               { return std::find(treatments.begin(), treatments.end(), word) == treatments.end(); });
-  return rest;
+  static const std::set<std::string> treatments = {"raw", "uncorrected", "corrected", "corr", "cor",   "sag",  "ifr",
+                                                   "msa", "scc",         "final",     "gyro", "short", "long", "collar"};
+  return without(words, treatments);
 }
 
 void match_any(const Words& name, HeaderCell& cell)
