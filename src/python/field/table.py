@@ -18,8 +18,9 @@ WORD = re.compile(r"\S+")  # of a line
 WELLS = set("well wellname wellid wellbore wellborename wellboreid borehole boreholeid uwi api apino apinumber".split())
 FACTOR = re.compile(r"([x\u00d7*])\s*(?:10\s*(?:\^|\*\*)?\s*-?[\d\u2070\u00b9\u00b2\u00b3\u2074-\u2079\u207b]+|1e[+-]?\d|0?\.0*1|10*)(?![\d.])(?:\s+\D+)?$", re.IGNORECASE)  # `x1000`, `*0.1`
 LONGEST_NAME = 200  # with a factor
-POWER = re.compile(r"10\s*(?:\^|\*\*)\s*-?\d+|10[\u2070\u00b9\u00b2\u00b3\u2074-\u2079\u207b]+|10{2,6}")  # alone in brackets: `Hook Load (1000) (lbf)`
-LAST_POWER = re.compile(r"(?<![\w.^*\u00d7])(?:10\s*(?:\^|\*\*)\s*-?\d+|10[\u2070\u00b9\u00b2\u00b3\u2074-\u2079\u207b]+)$")  # `Hook Load 10^3 (lbf)`; that with an x is a FACTOR
+SIGNED_POWER = r"10\s*(?:\^|\*\*)\s*-?\d+|10[\u2070\u00b9\u00b2\u00b3\u2074-\u2079\u207b]+"
+POWER = re.compile(SIGNED_POWER + r"|10{2,6}")  # alone in brackets: `Hook Load (1000) (lbf)`
+LAST_POWER = re.compile(r"(?<![\w.^*\u00d7])(?:%s)$" % SIGNED_POWER)  # `Hook Load 10^3 (lbf)`; that with an x is a FACTOR
 ALL_NAMES = {name for ranks in RANKS.values() for name in ranks}
 SEPARATOR, MOST_PARTS = re.compile(r"\s*[,/_]\s*|\s+(?:-\s+)?"), 4  # before a unit without brackets, and so many of its own: `gal_per_min`
 
