@@ -136,6 +136,12 @@ EccentricShare eccentric_share(const Rheology& mud, const Passage& annulus) noex
   return {1.0 - 0.072 * first - 1.5 * second + 0.96 * third, 1.0 - 0.048 * first - 2.0 / 3.0 * second + 0.285 * third};
 }
 
+double rotation_factor(double at_120_rpm, double speed) noexcept
+{
+  constexpr double fitted_at = 120.0 * rpm, fastest = 240.0 * rpm;
+  return 1.0 + (at_120_rpm - 1.0) * std::min(std::abs(speed), fastest) / fitted_at;
+}
+
 double nozzle_loss(double density, double flow, double area) noexcept
 {
   constexpr double discharge = 0.95;

@@ -154,6 +154,7 @@ void lose_by_law(const MudWay& way, const MudSections& sections, const Gradients
   const double lines = law.lines_loss(flow), bore = law.bore.at(flow).loss, inner = law.inner(flow).loss;
   out.losses = {lines, bore, inner - lines - bore, law.outer(flow, 0.0).loss};
   out.circuit.bore.loss = inner;
+  out.rotation_factor = way.rheology->rotation_factor;
 }
 
 /// What pressure_coefficient leaves of the rules of thumb, the bore's first to give way.

@@ -140,19 +140,20 @@ void advance_mud(const Model& model, double commanded, double step, State& state
   const double over_motor =
       motor ? mud_motor_pressure(mud_motor_leakage, motor->pressure_displacement(), motor_load(model, state)) : 0.0;
   const MudCircuit& mud = model.mud();
+  const double narrowing = state.cuttings.narrowing * rotation_factor(mud.rotation_factor, state.drive.speed);
   const double speed = mud.displaced_area > 0.0 ? running_speed(mud, state.nodes) : 0.0, displaced = mud.displaced_area * speed;
   if (mud.waves.any())
   {
     fill_bore(model, state);
-    const MudWays ways{
-        plug_pressure(model, state), 0.0, 0.0, annulus_load(state), state.cuttings.narrowing, state.temperature.places(),
-        state.temperature.heads};
+    const MudWays ways{plug_pressure(model, state), 0.0, 0.0, annulus_load(state), narrowing, state.temperature.places(),
+                       state.temperature.heads};
     const WaveLoads loads{over_motor, displaced, speed, ways, state.faults.leak_area, leaking_element(model, state)};
     return advance_pressure_waves(model.scene().rig.mud_pump, mud.circuit, mud.waves, commanded, loads, state.time, step,
                                   state.flow, state.hydraulics, state.mud_waves);
   }
-  const MudWays ways{plug_pressure(model, state), leak_flow(model, state),    fill_bore(model, state), annulus_load(state),
-                     state.cuttings.narrowing,    state.temperature.places(), state.temperature.heads};
+  const MudWays ways{
+      plug_pressure(model, state), leak_flow(model, state), fill_bore(model, state), annulus_load(state), narrowing,
+      state.temperature.places(),  state.temperature.heads};
   advance_hydraulics(model.scene().rig.mud_pump, mud.circuit, commanded, over_motor, displaced, step, state.flow,
                      state.hydraulics, ways);
 }

@@ -29,7 +29,9 @@ std::string CommandSenders::trouble(const ros::SteadyTime& now) const
       names += node;
       ++count;
     }
-    if (count > 1) text += (text.empty() ? "" : "; ") + std::to_string(count) + " nodes publish " + topic + ": " + names;
+    if (count < 2) continue;
+    if (!text.empty()) text += "; ";
+    text.append(std::to_string(count)).append(" nodes publish ").append(topic).append(": ").append(names);
   }
   return text;
 }

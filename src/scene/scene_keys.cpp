@@ -280,6 +280,9 @@ const Table<RheologySpec> rheology_keys = {"mud.rheology",
       "flow index n; 1: no shear thinning", no_kind, thins, "of the readings"},
   {"eccentricity",          "-",      &RheologySpec::eccentricity,         between(0.0, 0.95),
       "offset of the string in its hole over the clearance; it lowers the annulus's pressure loss, at 0.95 to half"},
+  {"rotation_factor",       "-",      &RheologySpec::rotation_factor,      between(0.6, 3.0),
+      "annulus's pressure loss with the top drive at 120 rpm over that without rotation; the change is in proportion to the "
+      "speed, up to 240 rpm. From a test of the rig at several speeds"},
 }};
 
 // clang-format on

@@ -37,6 +37,23 @@ SurveyPath path_of_cell(const std::string& cell)
   return path;
 }
 
+std::string path_of_title(const std::string& line)
+{
+  // "Design" and "target" name wells and wellbores too; a survey's program and a comparison name both paths
+  static const std::set<std::string> planned = {"plan", "planned", "proposal", "proposed", "wellplan", "prognosis", "prognosed"},
+                                     actual = {"actual", "asdrilled", "drilled", "definitive", "surveyed"},
+                                     neither = {"program", "programme", "vs", "versus", "against", "deviation", "view"};
+  bool is_planned = false, is_actual = false;
+  for (const std::string& word : name_words(line))
+  {
+    if (neither.count(word) > 0) return "";
+    is_planned = is_planned || planned.count(word) > 0;
+    is_actual = is_actual || actual.count(word) > 0;
+  }
+  if (is_planned == is_actual) return "";
+  return path_word(is_planned ? SurveyPath::planned : SurveyPath::actual);
+}
+
 const char* path_word(SurveyPath path)
 {
   return path == SurveyPath::planned ? "planned" : "actual";

@@ -21,6 +21,8 @@ enum class SurveyPath
 Words without_path(const Words& words, SurveyPath& path);
 /// The path that all words of a cell say: `Plan`, `Actual survey`.
 SurveyPath path_of_cell(const std::string& cell);
+/// The path that a line above a table names: `Data Type: Plan`, `Definitive survey`; "" where it names none, or both.
+std::string path_of_title(const std::string& line);
 /// "planned" or "actual".
 const char* path_word(SurveyPath path);
 

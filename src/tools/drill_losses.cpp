@@ -41,10 +41,11 @@ void print_motor(const Scene& scene, const Printed& printed)
       std::printf(", motor 0 to %s by its torque", loss_text(mud_motor_stall_pressure(*part.motor), printed).c_str());
 }
 
+/// @param factor  on the annulus's losses
 void print_density_at(const Scene& scene, const Mesh& mesh, const MudCircuit& mud, double md, const char* place,
-                      const Printed& printed)
+                      const Printed& printed, double factor = 1.0)
 {
-  const double pressure = annulus_share(mud, mesh, scene.start.bit_depth - md) * mud.losses.annulus;
+  const double pressure = factor * annulus_share(mud, mesh, scene.start.bit_depth - md) * mud.losses.annulus;
   const double density =
       equivalent_circulating_density(scene.mud.density, pressure, -Survey(scene.well.survey).at(md).position.z());
   std::printf(" %s at %s%s", printed(density, Dimension::density, {"%.0f", "kg/m3"}).c_str(),
@@ -72,6 +73,11 @@ void print_densities(const Scene& scene, const Mesh& mesh, const MudCircuit& mud
     print_density_at(scene, mesh, mud, section.to, ",", printed);
   }
   print_density_at(scene, mesh, mud, scene.start.bit_depth, ", the bit", printed);
+  if (mud.rotation_factor != 1.0)
+  {
+    std::printf("; with 120 rpm");
+    print_density_at(scene, mesh, mud, scene.start.bit_depth, ", the bit", printed, mud.rotation_factor);
+  }
   std::printf("\n");
 }
 

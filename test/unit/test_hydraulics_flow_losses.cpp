@@ -237,6 +237,16 @@ TEST(FlowLosses, eccentricPipeLosesLess)
               half.laminar * pressure_gradient(newtonian, 0.0, {0.2159, 0.127, 0.0}, 1.0), 1e-9);
 }
 
+TEST(FlowLosses, rotationIsInProportionUpToTwiceItsTest)
+{
+  const double tested = 120.0 * rpm;
+  EXPECT_EQ(rotation_factor(1.2, 0.0), 1.0);
+  EXPECT_DOUBLE_EQ(rotation_factor(1.2, -tested), 1.2);
+  EXPECT_DOUBLE_EQ(rotation_factor(0.8, 0.5 * tested), 0.9);
+  EXPECT_DOUBLE_EQ(rotation_factor(1.2, 3.0 * tested), 1.4);
+  EXPECT_EQ(rotation_factor(1.0, tested), 1.0);
+}
+
 // 156.5 Q^2 W/(N1^2 + N2^2 + N3^2)^2 psi (Lapeyrouse): three of 12/32 in, 400 gpm, 10 lb/gal: 1342 psi.
 TEST(FlowLosses, nozzlesOfLapeyrouse)
 {

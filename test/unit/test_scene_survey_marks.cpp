@@ -117,6 +117,20 @@ TEST(SurveyMarks, PartsOfAPlan)
   EXPECT_TRUE(read(plan, of_plan()).remarks.empty());
 }
 
+TEST(SurveyMarks, TitlesOfAPlan)
+{
+  const std::string rows = head + "\n0,0,0\n500,10,45\n";
+  for (const char* title : {"Data Type: Plan", "Type,Plan", "Planned trajectory", "# Wellplan A-1 rev 3"})
+  {
+    const std::string text = "Well: A-1\n" + std::string(title) + "\n" + rows;
+    EXPECT_TRUE(holds(all_remarks(read(text)), "a line above its names calls it planned: it is read as the survey")) << title;
+    EXPECT_EQ("", all_remarks(read(text, of_plan()))) << title;
+  }
+  EXPECT_TRUE(holds(all_remarks(read("Definitive survey\n" + rows, of_plan())), "calls it actual: it is read as the plan"));
+  for (const char* title : {"Survey program", "Deviation from plan", "Actual against plan", "Design: A-1", "Definitive survey"})
+    EXPECT_EQ("", all_remarks(read(std::string(title) + "\n" + rows))) << title;
+}
+
 TEST(SurveyMarks, RowsOfAPlan)
 {
   const std::string text = head + ",Type\n0,0,0,Actual\n500,10,45,Actual\n600,12,45,Plan\n700,14,45,Plan\n";

@@ -286,6 +286,24 @@ double annulus_loss(const Scene& scene, double speed)
 {
   return 295.0 * pressure_gradient(thick, scene.mud.density, {hole, pipe_outer, 0.0}, speed);
 }
+
+/// Means over 20 s, in which the pump's strokes do not show [Pa].
+struct PumpedMeans
+{
+  double annulus = 0.0, stand_pipe = 0.0;
+};
+PumpedMeans pumped_means(Simulator& rig)
+{
+  constexpr int frames = 2000;
+  PumpedMeans out;
+  for (int i = 0; i < frames; ++i)
+  {
+    play(rig, 0.01);
+    out.annulus += (rig.truth().ecd - rig.scene().mud.density) * standard_gravity * 295.0 / frames;
+    out.stand_pipe += rig.truth().stand_pipe_pressure / frames;
+  }
+  return out;
+}
 }  // namespace
 
 TEST(MudRheology, pumpedItHasTheLawsPressures)
@@ -302,6 +320,26 @@ TEST(MudRheology, pumpedItHasTheLawsPressures)
   EXPECT_NEAR(rig.truth().ecd - scene.mud.density, annulus / (standard_gravity * 295.0),
               0.02 * annulus / (standard_gravity * 295.0));
   EXPECT_NEAR(rig.truth().bit_flow, 0.03, 1e-5);
+}
+
+// The annulus's loss is that without rotation times the factor, with two volumes and with waves.
+TEST(MudRheology, rotationChangesTheAnnulussLoss)
+{
+  for (const bool waves : {false, true})
+  {
+    Scene scene = with_rheology(300.0);
+    scene.rheology->rotation_factor = 1.2;
+    if (waves) scene.pressure_waves.emplace();
+    Simulator rig(scene);
+    rig.command(PumpSetpoint{0.03});
+    play(rig, 60.0);
+    const PumpedMeans still = pumped_means(rig);
+    rig.command(TopDriveSetpoint{TopDriveMode::speed, -60.0 * rpm});
+    play(rig, 60.0);
+    const PumpedMeans turning = pumped_means(rig);
+    EXPECT_NEAR(turning.annulus, 1.1 * still.annulus, 0.005 * still.annulus) << waves;
+    EXPECT_NEAR(turning.stand_pipe - still.stand_pipe, 0.1 * still.annulus, 0.005 * still.annulus) << waves;
+  }
 }
 
 TEST(MudRheology, slowRunningSurgesByItsYieldPoint)

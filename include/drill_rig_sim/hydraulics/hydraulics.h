@@ -36,7 +36,8 @@
 /// until it is full.
 ///
 /// Cuttings in the annulus (model/hole_cleaning.h): p_a is larger by their weight W, whatever moves, and the losses of a law grow
-/// by a factor where their bed narrows the annulus, p_a = W + f P(V) + G_a.
+/// by a factor where their bed narrows the annulus, p_a = W + f P(V) + G_a. Rotation of the string is a factor too
+/// (flow_losses.h).
 ///
 /// Temperature (`mud.temperature`, model/mud_temperature.h): the losses of the law are those of each section's mud
 /// (loss_family.h). With H_b and H_a, by which bore and annulus weigh more than the reference at the bit,
@@ -157,7 +158,7 @@ struct MudWays
   double air = 0.0;   ///< volume in the string that the pump fills first [m3]
   double load =
       0.0;  ///< by which cuttings and temperature change the annulus's weight on the bit's depth, moving or at rest [Pa]
-  double narrowing = 1.0;            ///< factor on the annulus's losses by law: what a bed of cuttings makes of them [-]
+  double narrowing = 1.0;            ///< factor of a bed of cuttings and of rotation on the annulus's losses by law [-]
   const LossPlaces* warm = nullptr;  ///< mud by temperature; null: none
   WarmHeads heads = {};              ///< of it; that of the annulus is part of load
 };

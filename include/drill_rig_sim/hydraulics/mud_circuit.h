@@ -86,9 +86,10 @@ struct MudCircuit
       0.0;  ///< A_o + K (A_h - A_o): flow that counts for the annulus's losses per speed of the string; with a rheology A_o [m2]
   double tubular_loss =
       0.0;  ///< of bore and annulus at the largest flow by the rules above, whatever pressure_coefficient says [Pa]
-  double bore_friction = 0.0;  ///< share of circuit.bore.loss that is the bore's; the rest is the bit's and the surface lines'
-  LossesAtLargestFlow losses;
-  PressureWaves waves;  ///< none without mud.pressure_waves
+  double bore_friction = 0.0;    ///< share of circuit.bore.loss that is the bore's; the rest is the bit's and the surface lines'
+  LossesAtLargestFlow losses;    ///< without rotation
+  double rotation_factor = 1.0;  ///< on the annulus's losses at 120 rpm (flow_losses.h)
+  PressureWaves waves;           ///< none without mud.pressure_waves
   // number of each element's section among the losses by temperature, no_section: none; empty without mud.temperature
   std::vector<std::size_t> bore_section, annulus_section;
 

@@ -75,7 +75,8 @@ struct RheologySpec
   double consistency = unset;        ///< power law and Herschel-Bulkley [Pa s^n]
   double index = unset;              ///< the same [-]
   std::vector<ViscometerReading> readings;
-  double eccentricity = 0.0;  ///< of the string in its hole, offset over clearance (flow_losses.h) [-]
+  double eccentricity = 0.0;     ///< of the string in its hole, offset over clearance (flow_losses.h) [-]
+  double rotation_factor = 1.0;  ///< on the annulus's losses at 120 rpm (flow_losses.h) [-]
 };
 
 /// Its flow curve.
