@@ -43,8 +43,11 @@ std::string path_of_title(const std::string& line)
   static const std::set<std::string> planned = {"plan", "planned", "proposal", "proposed", "wellplan", "prognosis", "prognosed"},
                                      actual = {"actual", "asdrilled", "drilled", "definitive", "surveyed"},
                                      neither = {"program", "programme", "vs", "versus", "against", "deviation", "view"};
+  constexpr std::size_t most_words = 6;  // longer lines are sentences
+  const Words words = name_words(line);
+  if (words.size() > most_words) return "";
   bool is_planned = false, is_actual = false;
-  for (const std::string& word : name_words(line))
+  for (const std::string& word : words)
   {
     if (neither.count(word) > 0) return "";
     is_planned = is_planned || planned.count(word) > 0;

@@ -53,6 +53,12 @@ class Errors(unittest.TestCase):
         self.assertAlmostEqual(told['torque'], 40.0 / 2e3 / 0.02)      # a tenth of the level
         self.assertAlmostEqual(told['wob'], 10.0 / 1e3 / 0.02)         # resolution
 
+    def test_the_worst_three_seconds(self):
+        late = numpy.where((TIME >= 6.0) & (TIME < 9.0), 2e3, 0.0)
+        told = matrix.worst_window(series(hook_load=1e5 + 5e3 * TIME + late, bit_up=numpy.full_like(TIME, 1.0)), series())
+        self.assertAlmostEqual(told, 2e3 / 5e4 / 0.02)
+        self.assertLess(matrix.errors(series(hook_load=1e5 + 5e3 * TIME + late), series(), None)['hook_load'], 0.6 * told)
+
     def test_inclination_is_absolute(self):
         told = matrix.errors(series(inclination=numpy.where(TIME == 5.0, math.radians(0.05), 0.0)), series(), None)
         self.assertAlmostEqual(told['inclination'], 0.5)
@@ -199,7 +205,9 @@ class Energy(unittest.TestCase):
 
     def test_the_right_ones_under_a_warning_are_counted(self):
         told = [matrix.Verdict(FakeCell(), kind, note) for kind, note in (('right', ''), ('right', 'torque'), ('warned', 'torque'))]
-        self.assertEqual(report.summary_line(told), '3 cells: 2 right, 1 warned, 0 silent, 0 undecided; of the right ones under a warning: 1')
+        told[1].window = 1.5
+        self.assertEqual(report.summary_line(told), '3 cells: 2 right, 1 warned, 0 silent, 0 undecided; of the right ones under a warning: 1, of which 1 are beyond the '
+                         'bound for three seconds')
 
     def test_by_operation_the_farthest_of_the_decided_stands(self):
         told = []

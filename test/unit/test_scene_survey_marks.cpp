@@ -127,8 +127,9 @@ TEST(SurveyMarks, TitlesOfAPlan)
     EXPECT_EQ("", all_remarks(read(text, of_plan()))) << title;
   }
   EXPECT_TRUE(holds(all_remarks(read("Definitive survey\n" + rows, of_plan())), "calls it actual: it is read as the plan"));
-  for (const char* title : {"Survey program", "Deviation from plan", "Actual against plan", "Design: A-1", "Definitive survey"})
-    EXPECT_EQ("", all_remarks(read(std::string(title) + "\n" + rows))) << title;
+  const char* const others[] = {"Survey program", "Deviation from plan", "Actual against plan",
+                                "Design: A-1",    "Definitive survey",   "# A plan for two scenes: vertical, then a build"};
+  for (const char* title : others) EXPECT_EQ("", all_remarks(read(std::string(title) + "\n" + rows))) << title;
 }
 
 TEST(SurveyMarks, RowsOfAPlan)

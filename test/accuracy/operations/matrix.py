@@ -7,6 +7,7 @@ instrument resolves; where a cell is irregular, of mean, deviation and extrema i
 reference has one. Shares of the bound: 1 is 2 %.
 An output of a reference is known where its own error is below a third of the bound (KNOWN). That error is what the next two coarser numerics
 tell of it (own_errors).
+Warnings go by windows of three seconds instead: the worst of them is reported too (worst_window).
 The default's runs of a minute and less keep an energy balance too: CLOSURE and DISSIPATION are what it may miss and what the method may take.
 """
 import hashlib
@@ -30,6 +31,7 @@ KEPT = ['time', 'hook_load', 'torque', 'wob', 'bit_speed', 'reading_stand_pipe_p
 JOINT = 9.5
 CLOSURE, DISSIPATION = 0.005, 0.05  # of the throughput; the second by magnitudes, account by account
 BALANCED = 60.0  # a balance doubles the cost: not of longer runs [s]
+WINDOW = 3.0  # [s]
 WINDOWS = 10  # of an irregular stretch; its extrema are means over them
 COMES_BACK, STILL, NEARLY, RETURNS = 0.5, 0.3, 0.65, 3  # autocorrelation of a reference that has a period, of a run that is held against it; first peak over highest; how often
 
@@ -149,10 +151,28 @@ def parts(time, irregular):
     return time <= begins + 1e-6, (time > begins + 1e-6) & (time <= ends + 1e-6)
 
 
+def scale_of(b, output):
+    level = 0.0 if output == 'position' else 0.1 * float(numpy.mean(numpy.abs(b)))  # where the bit is has no level
+    return max(size(numpy.ptp(b, axis=0)), level, FLOORS[output])
+
+
+def worst_window(table, reference):
+    """The largest error over three seconds of an output that warnings go by, as a share of the bound; by the series also where a cell is irregular."""
+    time = numpy.asarray(reference['time'])
+    windows = [mask for mask in (numpy.floor(time / WINDOW) == k for k in range(int(time[-1] / WINDOW))) if mask.any()]
+    worst = 0.0
+    for output in FLOORS:
+        if output == 'position':
+            continue
+        a, b = values(table, output), values(reference, output)
+        squares = numpy.sum((a - b) ** 2, axis=1)
+        worst = max([worst] + [float(numpy.sqrt(numpy.mean(squares[mask]))) / scale_of(b, output) for mask in windows])
+    return worst / BOUND
+
+
 def error(table, reference, output, irregular):
     a, b = values(table, output), values(reference, output)
-    level = 0.0 if output == 'position' else 0.1 * float(numpy.mean(numpy.abs(b)))  # where the bit is has no level
-    scale = max(size(numpy.ptp(b, axis=0)), level, FLOORS[output])
+    scale = scale_of(b, output)
     one_by_one, counted = parts(numpy.asarray(reference['time']), irregular)
     squares = [numpy.mean(numpy.sum((a - b)[one_by_one] ** 2, axis=1))]
     if counted.any():
@@ -239,6 +259,7 @@ class Verdict:
         self.cell, self.kind, self.note = cell, kind, note
         self.worst, self.by = float('nan'), ''
         self.own, self.own_by = float('nan'), ''
+        self.window = float('nan')  # worst_window()
         self.cost = float('nan')  # counted work: instructions, as test/benchmark counts them
         self.closure = self.dissipation = float('nan')  # of the energy balance, shares of the throughput
 
@@ -284,6 +305,7 @@ def judge(cell, mine, reference, tolerance=BOUND):
     own = within(reference.own, tolerance)
     out.worst, out.by = worst_of(shares)
     out.own, out.own_by = worst_of(own)
+    out.window = worst_window(mine.table, reference.table) * BOUND / tolerance
     out.cost = WEIGHTS.of('corotational', mine.summary)
     out.closure, out.dissipation = shares_of_energy(mine.summary.get('energy'))
     warnings = mine.summary['accuracy_warnings']
