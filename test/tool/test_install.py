@@ -82,6 +82,9 @@ class Install(unittest.TestCase):
                 hook_load = [float(line.split()[1]) for line in printed.splitlines() if line.startswith('hook_load: ')]
                 self.assertEqual(1, len(hook_load), printed)
                 self.assertGreater(hook_load[0], 1e5)
+                versions = in_shell('bash', 'readelf --version-info devel/lib/rig_user/rig_user', other)
+                self.assertIn('Name: DRILL_RIG_SIM ', versions)
+                self.assertNotIn('DRILL_RIG_SIM_PRIVATE', versions, 'it needs a symbol that is not part of the interface (src/sim/exported.map)')
 
     def test_destdir(self):
         stage = os.path.join(self.folder, 'stage')
