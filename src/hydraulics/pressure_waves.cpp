@@ -12,7 +12,7 @@ namespace drill_rig_sim
 {
 namespace
 {
-constexpr double longest_tick = 0.02, shortest_tick = 0.005, in_time = 1e-9;  // [s]
+constexpr double longest_tick = 0.03, shortest_tick = 0.005, in_time = 1e-9;  // [s]
 constexpr double cells_wanted = 50.0, fewest_cells = 2.0;
 constexpr double atmosphere = 101325.0;   // [Pa]
 constexpr double smallest_change = 1e-7;  // of a root, over the nominal flow: Newton's next one is far below
