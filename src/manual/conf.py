@@ -26,6 +26,8 @@ highlight_language = 'text'
 # the copy of libjs-mathjax that src/manual/run puts there afterwards: the manual reads without a network
 exclude_patterns = ['_static']
 mathjax_path = 'mathjax/MathJax.js?config=TeX-AMS_HTML'
+# MyST keeps MathJax off the text beside formulas; by default it tells only MathJax 3, which Debian has not, what is one
+mathjax2_config = {'tex2jax': {'processClass': 'tex2jax_process|mathjax_process|math|output_area'}}
 math_number_all = False
 breathe_projects = {'laws': os.environ.get('MANUAL_DOXYGEN', '')}
 breathe_default_project = 'laws'
