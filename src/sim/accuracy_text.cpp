@@ -14,9 +14,16 @@ namespace
 template <class... Numbers>
 std::string text(const char* format, Numbers... numbers)
 {
-  char line[320];
+  char line[400];
   std::snprintf(line, sizeof line, format, numbers...);
   return line;
+}
+
+/// At first the range so far is small, and errors over it are large without a meaning.
+std::string percent(double share)
+{
+  if (share > 1.0) return "more than 100 %";
+  return text(share < 0.1 ? "%.2g %%" : "%.0f %%", 100.0 * share);
 }
 
 /// An element's length with a tenth to spare, for the string bends a little more on a finer mesh, and its two digits are rounded
@@ -76,11 +83,10 @@ std::string text_of(const AccuracyReport& r)
       return "";
     case AccuracyDoubt::measured:
       return text(
-          "%s: measured error %.2g %% of its range over 3 s; over 30 s %.2g %% in the average, %.2g %% in the deviation, %.2g %% "
-          "in the extremes;"
-          " numerics.tolerance is %.2g %%. Use only what is within it, or set numerics.refinement: 2",
-          traits_of(r.output).words, 100.0 * r.measure, 100.0 * r.statistics.mean, 100.0 * r.statistics.deviation,
-          100.0 * r.statistics.extremes, 100.0 * r.allowed);
+          "%s: measured error %s of its range so far, over 3 s; over 30 s %s in the average, %s in the deviation, %s in the "
+          "extremes; numerics.tolerance is %.3g %%. Use only what is within it, or double numerics.refinement (1 unless set)",
+          traits_of(r.output).words, percent(r.measure).c_str(), percent(r.statistics.mean).c_str(),
+          percent(r.statistics.deviation).c_str(), percent(r.statistics.extremes).c_str(), 100.0 * r.allowed);
     case AccuracyDoubt::confined:
       return text(
           "guided pipe %.4g m above the bit carries %.2f times its critical buckling load; use numerics.level: beam3d, or hybrid "

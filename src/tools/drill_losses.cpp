@@ -125,6 +125,17 @@ void print_cuttings(const Scene& scene, const Mesh& mesh, const Printed& printed
     std::printf("            the pump's largest flow, %s, is less: keep the rate of penetration lower\n",
                 printed(most, Dimension::flow, three_digits).c_str());
 }
+
+/// Where the relief valve keeps the pump from its largest flow.
+void print_relief(const Scene& scene, const LossesAtLargestFlow& losses, const Printed& printed)
+{
+  const double relief = scene.rig.mud_pump.relief_pressure;
+  if (losses.lines + losses.bore + losses.bit + losses.annulus <= relief) return;
+  std::printf(
+      "            more than rig.mud_pump.relief_pressure, %s: the relief valve opens below that flow; set "
+      "rig.mud_pump.max_flow to what the well is drilled with\n",
+      loss_text(relief, printed).c_str());
+}
 }  // namespace
 
 void print_losses(const Scene& scene, const Mesh& mesh, const MudCircuit& mud, const Printed& printed)
@@ -139,6 +150,7 @@ void print_losses(const Scene& scene, const Mesh& mesh, const MudCircuit& mud, c
               loss_text(losses.annulus, printed).c_str(),
               loss_text(losses.lines + losses.bore + losses.bit + losses.annulus, printed).c_str());
   std::printf(mud.circuit.law.any() ? "\n" : " by pressure_coefficient\n");
+  print_relief(scene, losses, printed);
   if (scene.rheology)
     print_densities(scene, mesh, mud, printed);
   else

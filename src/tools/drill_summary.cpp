@@ -208,7 +208,7 @@ void print(const Limits::Entry& entry, const Printed& printed)
 {
   std::printf("limit passed, %.1f to %.1f s: %s", entry.since, entry.until, entry.what);
   if (entry.load.share > 0.0)
-    std::printf(", %.2f times that %s above the bit", entry.load.share,
+    std::printf(", at most %.2f times it, %s above the bit", entry.load.share,
                 printed(entry.load.from_bit, Dimension::length, {"%.4g", "m"}).c_str());
   std::printf(" (%s)\n", entry.flag);
 }
