@@ -315,7 +315,11 @@ void add_remarks(const CsvTable& table, const std::string& text, bool plan, Surv
     survey.remarks.push_back("its columns are " + std::string(path_word(header.path)) + " ones: they are read as the " +
                              (plan ? "plan" : "survey"));
   const std::string title = said_above(text, table.line, path_of_title);
-  if (header.path == SurveyPath::unsaid && !title.empty() && title != path_word(plan ? SurveyPath::planned : SurveyPath::actual))
+  // a title over a group of columns is not one of the others
+  const bool of_group = std::any_of(header.cells.begin(), header.cells.end(),
+                                    [](const HeaderCell& cell) { return cell.path != SurveyPath::unsaid; });
+  if (header.path == SurveyPath::unsaid && !of_group && !title.empty() &&
+      title != path_word(plan ? SurveyPath::planned : SurveyPath::actual))
     survey.remarks.push_back("a line above its names calls it " + title + ": it is read as the " + (plan ? "plan" : "survey"));
   const std::string north = azimuth.north.empty() ? said_above(text, table.line, north_of_line) : azimuth.north;
   const std::string datum = said_above(text, table.line, datum_of_line);

@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "survey_beside.h"
 #include "survey_words.h"
 
 namespace drill_rig_sim
@@ -340,6 +341,7 @@ SurveyHeader find_columns(const std::vector<std::string>& cells, const SurveyFor
     for (std::size_t i = needed_quantities; i-- > 0;)
       if (!header.place[i]) find_unknown_unit(i, header);
   }
+  if (header.wrong.empty()) check_columns_beside(format, header);
   return header;
 }
 

@@ -11,7 +11,7 @@ SurveyPath path_of_word(const std::string& word)
 {
   static const std::set<std::string> planned = {"plan",   "planned",  "proposal",  "proposed",  "wellplan",
                                                 "design", "designed", "prognosis", "prognosed", "target"},
-                                     actual = {"actual", "actuals", "act", "asdrilled", "drilled"};
+                                     actual = {"actual", "actuals", "act", "asdrilled", "drilled", "surveyed", "definitive"};
   return planned.count(word) > 0 ? SurveyPath::planned : actual.count(word) > 0 ? SurveyPath::actual : SurveyPath::unsaid;
 }
 }  // namespace

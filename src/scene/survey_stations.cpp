@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "survey_stations.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -145,6 +146,19 @@ void leave_map(TieIn& tie_in, std::vector<std::string>& remarks)
   remarks.push_back(line);
   tie_in.north = tie_in.east = 0.0;
 }
+// of a first station below the rotary table: no hole of its measured depth leads there
+void check_reach(const TieIn& tie_in, const SurveyStation& first, int line, Problems& problems)
+{
+  const double way = tie_in.position().norm();
+  if (way <= first.md + std::max(tie_in_share * first.md, tie_in_rounding)) return;
+  char text[300];
+  std::snprintf(
+      text, sizeof text,
+      "lies %.2f m from the rotary table (north %.2f, east %.2f, tvd %.2f m), allowed: up to its measured depth, %.2f m; "
+      "needed: positions from the rotary table, or tie_in",
+      way, tie_in.north, tie_in.east, tie_in.tvd, first.md);
+  problems.add_at(line, "station 1", text);
+}
 }  // namespace
 
 SurveyTable stations_of(const SurveyRows& survey, bool pass_over, const std::optional<TieIn>& tie_in, Problems& problems)
@@ -158,6 +172,9 @@ SurveyTable stations_of(const SurveyRows& survey, bool pass_over, const std::opt
     table.tie_in = tie_in_of(survey, *reader.rows.front(), table.stations.front().md != 0.0, problems);
   if (!problems.empty()) return table;
   if (!tie_in && table.tie_in && table.stations.front().md == 0.0) leave_map(*table.tie_in, table.remarks);
+  if (!tie_in && table.tie_in && table.stations.front().md > 0.0)
+    check_reach(*table.tie_in, table.stations.front(), reader.rows.front()->line, problems);
+  if (!problems.empty()) return table;
   const UnitName& unit = survey.rows.empty() ? *length_unit("m") : *survey.rows.front().units[survey_md];
   for (const SurveyProblem& p : survey_problems(table.stations, table.tie_in, {unit.name, unit.factor()}))
   {

@@ -60,6 +60,29 @@ TEST(SceneSurvey, ItsOwnPlacesAreCompared)
   EXPECT_EQ(0.0, map.tie_in->north);
 }
 
+TEST(SceneSurvey, AFirstStationOutOfReach)
+{
+  const auto table = [](const std::string& north, const std::string& tvd)
+  { return "MD (m),Inc (deg),Azi (deg),TVD (m),NS (m),EW (m)\n500,10,45," + tvd + "," + north + ",20\n600,12,45,,,\n"; };
+  EXPECT_EQ(20.0, read(table("20", "499")).tie_in->north);
+  EXPECT_TRUE(
+      holds(refusal(table("6543210", "499")),
+            ":2: station 1: lies 6543210.02 m from the rotary table (north 6543210.00, east 20.00, tvd 499.00 m), allowed: "
+            "up to its measured depth, 500.00 m"));
+  EXPECT_TRUE(holds(refusal(table("20", "1637")), "lies 1637.24 m from the rotary table")) << "feet below metres";
+}
+
+TEST(SceneSurvey, MinutesInAColumnOfTheirOwn)
+{
+  for (const char* names :
+       {"MD (m),Inc deg,Inc min,Azi (deg)", "MD (m),Inc (deg),Inc (min),Azi (deg)", "MD (m),Inc,Min,Azi (deg)"})
+    EXPECT_TRUE(holds(refusal(std::string(names) + "\n0,0,0,0\n500,10,30,45\n"), " holds minutes of \"Inc")) << names;
+  EXPECT_TRUE(
+      holds(refusal("MD (m),Inc (deg),Azi Deg,Azi Min\n0,0,0,0\n500,10,45,30\n"), ":1: Azi Min: holds minutes of \"Azi Deg\""));
+  const std::string time = "MD (m),Inc (deg),Time (min),Azi (deg),Inc Min (deg)\n0,0,0,0,0\n500,10,30,45,9\n";
+  expect_station(read(time).stations.at(1), 500.0, 10.0, 45.0);
+}
+
 TEST(SceneSurvey, DigitsInGroups)
 {
   const std::string head = "MD (m);Inc (deg);Azi (deg)\n", above = "0;0;0\n500;1;40\n";

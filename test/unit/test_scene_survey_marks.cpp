@@ -106,6 +106,36 @@ TEST(SurveyMarks, PlanBesideActual)
   expect_station(read(one_depth, of_plan()).stations.at(1), 500.0, 10.0, 45.0);
 }
 
+TEST(SurveyMarks, OtherWordsForTheDrilledWell)
+{
+  const auto table = [](const std::string& word)
+  {
+    return "Planned MD (m),Planned Inc (deg),Planned Azi (deg)," + word + " MD (m)," + word + " Inc (deg)," + word +
+           " Azi (deg)\n0,0,0,0,0,0\n500,10,45,510,11,46\n";
+  };
+  for (const char* word : {"Surveyed", "Definitive", "As-drilled"})
+  {
+    expect_station(read(table(word)).stations.at(1), 510.0, 11.0, 46.0);
+    EXPECT_EQ("", all_remarks(read(table(word)))) << word;
+  }
+  for (const char* word : {"Observed", "Real", "MWD", "Ist"})
+  {
+    EXPECT_TRUE(holds(refusal(table(word)), std::string(word) + " Inc (deg): may be of the survey, beside \"Planned Inc (deg)\""))
+        << word;
+    expect_station(read(table(word), of_plan()).stations.at(1), 500.0, 10.0, 45.0);
+  }
+  const std::string tolerance = "Plan MD (m),Plan Inc (deg),Plan Azi (deg),Inc Tolerance\n0,0,0,1\n500,10,45,1\n";
+  expect_station(read(tolerance).stations.at(1), 500.0, 10.0, 45.0);
+}
+
+TEST(SurveyMarks, AGroupWithoutAKnownName)
+{
+  const std::string text =
+      "Planned,,,Final,,\nMD (m),Inc (deg),Azi (deg),MD (m),Inc (deg),Azi (deg)\n0,0,0,0,0,0\n500,10,45,510,11,46\n";
+  expect_station(read(text).stations.at(1), 510.0, 11.0, 46.0);
+  EXPECT_EQ("", all_remarks(read(text))) << "the plan is the other group";
+}
+
 TEST(SurveyMarks, PartsOfAPlan)
 {
   EXPECT_TRUE(holds(refusal("Plan MD (m),Inc (deg),Azi (deg)\n0,0,0\n500,10,45\n"),
