@@ -115,6 +115,16 @@ class Values(Folder):
             if "," not in cell:
                 self.assertTrue(math.isnan(self.read(table().replace("201,29.5", cell + ",29.5"), MAP).signals["hook_load"][1]), cell)
 
+    def test_full_displays(self):
+        """Nines and eights far from all other values, as of a gauge that is lost or a display that is full."""
+        for cell in ("999", "999.9", "999.99", "-999.99", "9999.9", "9999.99", "888.88", "8888"):
+            with self.subTest(cell):
+                record = self.read(table().replace("201,29.5", cell + ",29.5"), MAP)
+                self.assertTrue(math.isnan(record.signals["hook_load"][1]))
+                self.assertIn("1 values such as %g are far from all others and are treated as null values" % float(cell), "\n".join(record.remarks))
+        near = table().replace("201,", "799,").replace("200,", "999,")
+        self.assertFalse(numpy.isnan(self.read(near, MAP).signals["hook_load"]).any(), "a load near the others")
+
     def test_a_unit_that_is_wrong(self):
         """Most values out of range: refused, for the unit must be wrong."""
         self.refused(["hook_load", "4 of 4 values", "is the unit right?"], table(), MAP.replace("klbf", "MN"))

@@ -1,7 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Steady moves of a string off bottom in a record: pick-up, slack-off and rotating weights, and the empty block while the string is in the slips."""
-import re
-
 import numpy
 from drill_rig_sim.field.course import Course, half_band, resolution
 from drill_rig_sim.field.pipe import HANGS, check_directions, check_scale, clock, standstills
@@ -69,7 +67,7 @@ def moves_of(record, passed=None):
     """All Moves of a record, in their order, and lines on those that cannot be. `passed`: rows that are left out. RecordError where the record lacks what tells them."""
     for signal in ("block_height", "bit_depth", "hook_load"):
         if signal not in record:
-            raise RecordError("%s: has no %s; needed: block_height, bit_depth and hook_load%s" % (record.name, signal, why_missing(record, signal)))
+            raise RecordError("%s: has no %s; needed: block_height, bit_depth and hook_load%s" % (record.name, signal, record.why_missing(signal)))
     check_directions(record)
     check_scale(record)
     height = record.at("block_height", record.time)
@@ -95,12 +93,6 @@ def uneven(record, moves):
     some = [move for move in moves if move.deviation > max(VARIES[0] * usual, VARIES[1] * move.load)]
     return ["%s: the load of %d moves varies more than %g times as much as usual (first: %s at %.1f s: %.1f kN); their weights are uncertain by as much" %
             (record.name, len(some), VARIES[0], some[0].motion, some[0].from_time, 1e-3 * some[0].deviation)] if some else []
-
-
-def why_missing(record, signal):
-    """What was noticed when its column was left out, for the end of a message."""
-    said = [line.partition(": ")[2] for line in record.remarks if re.search(r"\b%s\b.* left out: " % signal, line)]
-    return "; " + said[0] if said else ""
 
 
 def plausible(record, moves):

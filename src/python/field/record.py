@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A rig's record as arrays in SI: delimited tables, logs of WITSML and LAS files, one or several files of the same well joined by time."""
 import os
+import re
 
 import numpy
 from drill_rig_sim.field.column_finder import AllOf, ByMap, OfTheTrade
@@ -21,6 +22,7 @@ BELOW_BOTTOM = 1.0  # from which on a bit below the hole's bottom is reported [m
 LEAST_LOAD, HIGHEST_BLOCK, LONGEST_WAY = 5e3, 65.0, 55.0  # of a rig [N], of its block and of that's way [m]; others are reported
 LEAST_PRESSURE, LEAST_FLOW, MOST_FLOW = 2e4, 3e-3, 0.13  # of a stand pipe while the pump runs [Pa], [m3/s]; more than three pumps deliver [m3/s]
 SPACINGS = (1e-3, 120.0)  # of a record's rows [s]; others are reported
+NOT_READ = r"\b%s\b.* left out: |no column is recognised as [^;]*\b%s\b"  # in a remark
 LONG_GAP, SHORTEST_GAP = 10.0, 5.0  # of rows' distance, and s, from which on a gap is reported
 
 
@@ -49,6 +51,11 @@ class Record:
 
     def __contains__(self, signal):
         return signal in self.signals
+
+    def why_missing(self, *signals):
+        """What was noticed when columns of these signals were left out or not recognised, for the end of a message."""
+        lines = [line.partition(": ")[2] for signal in signals for line in self.remarks if re.search(NOT_READ % (signal, signal), line)]
+        return "".join("; " + line for line in dict.fromkeys(lines))
 
     def at(self, signal, time):
         """On straight lines between the rows that have a number; the ends go on."""

@@ -80,7 +80,7 @@ class MeasuredErrors:
 def check(record):
     """RecordError where a record cannot be played."""
     if "block_height" not in record and "block_velocity" not in record:
-        raise RecordError("%s: needs block_height or block_velocity" % record.name)
+        raise RecordError("%s: needs block_height or block_velocity%s" % (record.name, record.why_missing("block_height", "block_velocity")))
     check_directions(record)
     check_scale(record)
     gap = int(numpy.diff(record.time).argmax())
@@ -88,7 +88,7 @@ def check(record):
         raise RecordError("%s: has a gap of %.6g days from %.1f s on; allowed: a day; needed: a part before or after it (drill replay --from, --to; from and to of a fit)" %
                           (record.name, (record.time[gap + 1] - record.time[gap]) / 86400.0, clock(record, gap)))
     if not any(signal in record for signal in COMPARED):
-        raise RecordError("%s: holds nothing to compare: %s" % (record.name, ", ".join(COMPARED)))
+        raise RecordError("%s: holds nothing to compare; needed: %s%s" % (record.name, " or ".join(COMPARED), record.why_missing(*COMPARED)))
 
 
 def check_start(record, rig):

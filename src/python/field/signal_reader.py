@@ -11,7 +11,9 @@ from drill_rig_sim.field.table import RecordError
 from drill_rig_sim.field.units import UnitError, factor_of, is_unit, power_in
 
 NULLS = (-999.0, -999.25, -9999.0, -9999.25, -99999.0, -99999.25, -999999.0, -999999.25)  # as logs write "no number"
-LIKE_NULLS = (999.25, 9999.0, 9999.25, 99999.0, 99999.25, 999999.0, 32767.0, 32768.0, 65535.0)  # a sign was lost, or a counter is full
+# a sign was lost, or a counter is full
+LIKE_NULLS = tuple(float(text) for text in "999.25 9999.25 99999.25 999 999.9 999.99 9999 9999.9 9999.99 99999 99999.9 99999.99 999999 32767 32768 65535".split())
+FULL = (888.88, 8888.0, 8888.88)  # all segments of a display
 ALONE = 2.0  # times as large as all other values of its column, or as small, from which on such a number is a null
 NEVER_ZERO = ("hook_load", "bit_depth", "hole_depth", "block_height")  # for a moment
 ALIKE, FAR, MOST_ZEROS = 0.05, 0.2, 3  # of values about zeros: share by which they may differ, least share of the largest value; rows
@@ -287,7 +289,7 @@ def close(number, null):
 def leave_out_likely_nulls(table, name, raw, remarks):
     """Of numbers that files write for no number those which stand far from all others of their column; reported."""
     sizes = numpy.abs(raw)
-    odd = numpy.isin(sizes, LIKE_NULLS)
+    odd = numpy.isin(sizes, LIKE_NULLS) | numpy.isin(raw, FULL)
     others = sizes[numpy.isfinite(sizes) & ~odd]
     if not len(others):
         return
