@@ -365,6 +365,17 @@ class Replays(Folder):
         self.assertIn("needs block_height or block_velocity", told)
         self.assertEqual(2, self.drill_replay(self.recorded(1.0), "/nowhere.yaml")[0])
 
+    def test_rows_closer_than_frames(self):
+        """A spreadsheet's days taken for seconds are refused; rows of a millisecond are played."""
+        text = "Time (s),Hook Load (kN),Block Height (m)\n"
+        days = read_record(self.file("r.csv", text + "".join("%.9f,221,%g\n" % (45433.4 + k / 86400.0, 20.0 - 0.001 * k) for k in range(40))))
+        with self.assertRaisesRegex(RecordError, "lasts 0.000451 s; needed: 0.1 s or more; is the unit of the time right"):
+            check(days)
+        fast = self.file("f.csv", text + "".join("%.3f,221,%g\n" % (0.001 * k, 20.0 - 0.00002 * abs(k - 100)) for k in range(200)))
+        status, out, said = self.drill_replay(fast, QUICK)
+        self.assertEqual(0, status, said)
+        self.assertIn("hook load", out)
+
     def test_why_a_signal_is_missing(self):
         """The column was there: the refusal says why it was not read."""
         for heads, said in (("Hook Load (tonf),Block Height (m)", "holds nothing to compare; needed: hook_load or torque or stand_pipe_pressure; hook_load is left out: Hook Load (tonf): unit tonf is ambiguous"),

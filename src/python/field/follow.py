@@ -174,9 +174,10 @@ def rows_at_turns(record, stands):
 
 
 def span(rows, k, share, times, loads):
-    """Largest less least of the loads within a share of a row around row k."""
+    """Largest less least of the loads within a share of a row around row k; 0 where no load is, between rows that are closer than the frames of the simulation."""
     begin, end = (rows[k] + share * (rows[numpy.clip(other, 0, len(rows) - 1)] - rows[k]) for other in (k - 1, k + 1))
-    return float(numpy.ptp(loads[(times >= begin) & (times <= end)]))
+    inside = loads[(times >= begin) & (times <= end)]
+    return float(numpy.ptp(inside)) if len(inside) else 0.0
 
 
 def heights_of(record, stands, rig):

@@ -12,6 +12,7 @@ from drill_rig_sim.law import RPM
 from drill_rig_sim.units import GRAVITY, POUND, QUANTITIES, SI
 
 FORCES = {"N": 1.0, "lbf": POUND, "kgf": GRAVITY}  # and their thousands, by which hook loads are mistaken
+SHORTEST = 0.1  # of a record, some frames of the simulation [s]
 LONGEST_GAP = 86400.0  # that can be simulated in a sensible time [s]
 APART = 1.0    # of the bit at the beginning, record and scene [m]
 RUN_UP = 30.0  # before the record, in which pump and top drive come to where it begins [s]
@@ -81,6 +82,8 @@ def check(record):
     """RecordError where a record cannot be played."""
     if "block_height" not in record and "block_velocity" not in record:
         raise RecordError("%s: needs block_height or block_velocity%s" % (record.name, record.why_missing("block_height", "block_velocity")))
+    if record.time[-1] < SHORTEST:
+        raise RecordError("%s: lasts %.3g s; needed: %g s or more; is the unit of the time right?" % (record.name, record.time[-1], SHORTEST))
     check_directions(record)
     check_scale(record)
     gap = int(numpy.diff(record.time).argmax())
