@@ -158,6 +158,24 @@ class UnitsInCells(Folder):
         self.assertIn("unit psi is not known for a force", "\n".join(self.read(self.table("Time (s),Hook Load,Block Height (ft)", "%d,%.1f psi,%.1f")).remarks))
 
 
+class WrongDigits(Folder):
+    """Single rows whose numbers are in range, and that no rig has between those before and after."""
+
+    def remarks(self, row=None, load="200", block="20", rows=15):
+        lines = ["%d,%s,%s" % (k, *((load, block) if k == row else ("200", "%.2f" % (20.0 - 0.1 * k)))) for k in range(rows)]
+        return "\n".join(self.read("Time (s),Hook Load (kN),Block Height (m)\n" + "\n".join(lines) + "\n").remarks)
+
+    def test_hook_load(self):
+        self.assertIn("hook_load: 1 values are 10 times as large as all others or more (first: 2000 kN at 7 s); check their digits", self.remarks(7, load="2000"))
+        for row, load in ((7, "700"), (0, "2000"), (14, "2000"), (7, "20")):  # a pull; the string before and after the slips; the slips
+            self.assertNotIn("check their digits", self.remarks(row, load=load))
+
+    def test_block(self):
+        self.assertIn("block_height changes by -17.4 m from 6 to 7 s, faster than blocks move (2 times); check its values", self.remarks(7, block="2.0"))
+        self.assertNotIn("faster than blocks", self.remarks(7, block="16.5"))
+        self.assertNotIn("check", self.remarks())
+
+
 class ElapsedTimes(Folder):
     def test_what_is_read(self):
         for head, times in (("Time (hh:mm:ss)", ("25:00:05", "25:00:10", "25:00:15", "25:00:20")), ("Elapsed", ("0:59:50", "0:59:55", "1:00:00", "1:00:05")),

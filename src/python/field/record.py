@@ -21,6 +21,8 @@ COMPARED = ("hook_load", "torque", "stand_pipe_pressure")  # with what is simula
 BELOW_BOTTOM = 1.0  # from which on a bit below the hole's bottom is reported [m]
 LEAST_LOAD, HIGHEST_BLOCK, LONGEST_WAY = 5e3, 65.0, 55.0  # of a rig [N], of its block and of that's way [m]; others are reported
 LEAST_PRESSURE, LEAST_FLOW, MOST_FLOW = 2e4, 3e-3, 0.13  # of a stand pipe while the pump runs [Pa], [m3/s]; more than three pumps deliver [m3/s]
+FASTEST_BLOCK = 6.0  # of a record, between two rows; twice what drawworks do, because times may be rounded [m/s]
+FAR_LOAD, MOST_FAR = 4.0, 3  # times as large as the largest of all other hook loads; rows
 SPACINGS = (1e-3, 120.0)  # of a record's rows [s]; others are reported
 NOT_READ = r"\b%s\b.* left out: |no column is recognised as [^;]*\b%s\b"  # in a remark
 LONG_GAP, SHORTEST_GAP = 10.0, 5.0  # of rows' distance, and s, from which on a gap is reported
@@ -171,7 +173,7 @@ def remarks_of(record):
         lines.append("a gap of %.4g s from %.6g s on" % (longest, begin))
     lines += ["%s is %.4g times as large from %.6g s on, as if its unit changed from %s to %s; check its values before that time and after it" %
               (signal, ratio, record.time[row], before, after) for signal, row, ratio, before, after in unit_changes(record.time, record.signals)]
-    lines += below_bottom(record) + unlikely(record)
+    lines += below_bottom(record) + unlikely(record) + fast_block(record) + far_loads(record)
     return lines + ["has no %s: %s" % (signal, so) for signal, so in (
         ("flow", "the pump is assumed to be off"), ("top_drive_speed", "the string is assumed not to rotate"),
         ("bit_depth", "the string is assumed to move with the block at all times")) if signal not in record]
@@ -200,6 +202,30 @@ def unlikely(record):
         ("block_height", largest("block_height") > HIGHEST_BLOCK, "higher than masts are"),
         ("flow", largest("flow") > MOST_FLOW, "more than the pumps of a rig deliver"),
         ("stand_pipe_pressure", largest("stand_pipe_pressure") < LEAST_PRESSURE and largest("flow") > LEAST_FLOW, "while the pump runs")) if so]
+
+
+def fast_block(record):
+    """A line on a block that is faster than blocks are: digits that are wrong, or a gauge that was set anew."""
+    if "block_height" not in record:
+        return []
+    good = numpy.isfinite(record.signals["block_height"])
+    time, steps = record.time[good], numpy.diff(record.signals["block_height"][good])
+    fast = numpy.flatnonzero(numpy.abs(steps) > FASTEST_BLOCK * numpy.diff(time))
+    return ["block_height changes by %.3g m from %.6g to %.6g s, faster than blocks move (%d times); check its values" %
+            (steps[fast[0]], time[fast[0]], time[fast[0] + 1], len(fast))] if len(fast) else []
+
+
+def far_loads(record):
+    """A line on a few hook loads far above all others, between two of these: digits that are wrong."""
+    loads = record.signals.get("hook_load", numpy.zeros(0))
+    good = numpy.flatnonzero(numpy.isfinite(loads))
+    order = good[numpy.argsort(loads[good])]
+    for count in range(1, min(MOST_FAR, len(order) - 3 * MOST_FAR) + 1):
+        far, others = numpy.sort(order[-count:]), loads[order[-count - 1]]
+        if loads[far].min() >= FAR_LOAD * others > 0.0 and far[0] > good[0] and far[-1] < good[-1]:
+            return ["hook_load: %d values are %.3g times as large as all others or more (first: %.4g kN at %.6g s); check their digits" %
+                    (count, loads[far].min() / others, 1e-3 * loads[far[0]], record.time[far[0]])]
+    return []
 
 
 def bridged(time, good):
