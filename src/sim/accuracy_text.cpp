@@ -20,7 +20,7 @@ std::string text(const char* format, Numbers... numbers)
 }
 
 /// At first the range so far is small, and errors over it are large without a meaning.
-std::string percent(double share)
+std::string share_text(double share)
 {
   if (share > 1.0) return "more than 100 %";
   return text(share < 0.1 ? "%.2g %%" : "%.0f %%", 100.0 * share);
@@ -85,8 +85,8 @@ std::string text_of(const AccuracyReport& r)
       return text(
           "%s: measured error %s of its range so far, over 3 s; over 30 s %s in the average, %s in the deviation, %s in the "
           "extremes; numerics.tolerance is %.3g %%. Use only what is within it, or double numerics.refinement (1 unless set)",
-          traits_of(r.output).words, percent(r.measure).c_str(), percent(r.statistics.mean).c_str(),
-          percent(r.statistics.deviation).c_str(), percent(r.statistics.extremes).c_str(), 100.0 * r.allowed);
+          traits_of(r.output).words, share_text(r.measure).c_str(), share_text(r.statistics.mean).c_str(),
+          share_text(r.statistics.deviation).c_str(), share_text(r.statistics.extremes).c_str(), 100.0 * r.allowed);
     case AccuracyDoubt::confined:
       return text(
           "guided pipe %.4g m above the bit carries %.2f times its critical buckling load; use numerics.level: beam3d, or hybrid "
