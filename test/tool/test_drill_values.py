@@ -76,6 +76,13 @@ class Check(test_drill.Drill):
         self.assertIn('pressures: bore and annulus alone', self.succeed(*short, 'program=[{at: 0, flow: 0.03}]'))
         self.assertNotIn('pressures:', self.succeed(*short, 'program=[]'))
 
+    def test_losses_above_the_relief_valve_are_reported(self):
+        def check(relief):
+            return self.succeed('check', QUICK, '--set', 'rig.mud_pump.relief_pressure=%g' % relief)
+        stand_pipe = 1e6 * float(re.search(r'stand pipe ([\d.]+) MPa', check(35e6)).group(1))
+        self.assertIn('the relief valve opens below that flow', check(0.95 * stand_pipe))
+        self.assertNotIn('relief valve', check(1.05 * stand_pipe))
+
     def test_the_annulus_by_the_viscosity_is_told_beside_the_rule_of_thumb(self):
         """8 1/2 by 5 in, 50 l/s of 10 mPa s: the friction of a rough wall, 0.0133, is 1.87 times API RP 13D's. A difference below 0.2 MPa is left out."""
         def check(length, *more):
