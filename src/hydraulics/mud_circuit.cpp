@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
+#include <numeric>
 #include <utility>
 
 #include "drill_rig_sim/math/units.h"
@@ -300,6 +301,17 @@ void add_forces(const MudWay& way, const MeshElement& element, const Stretch& st
   out.stretch_by_annulus.push_back(-per_area * element.outer_area);
   out.lift.push_back(0.25 * pi * element.outer_diameter * stretch.hole * annulus_here);
 }
+
+/// Weights of the elements' speeds in the string's mean speed: they do not change in a run, as an element stretches by a
+/// thousandth at most.
+std::vector<double> speed_weights(const Mesh& mesh, const std::vector<double>& lift)
+{
+  const double all = std::accumulate(lift.begin(), lift.end(), 0.0);
+  std::vector<double> out(lift.size(), 0.0);
+  if (all > 0.0)
+    for (std::size_t e = 0; e < lift.size(); ++e) out[e] = 0.5 * lift[e] / (mesh.elements[e].section.length * all);
+  return out;
+}
 }  // namespace
 
 double annulus_gradient(double density, double flow, double hole_diameter, double diameter) noexcept
@@ -344,6 +356,7 @@ MudCircuit mud_circuit(const MudWay& way, const Mesh& mesh)
   out.displaced_area = way.rheology ? out.circuit.law.displaced_area : displaced_area(stretches, out);
   for (std::size_t e = 0; e < mesh.elements.size(); ++e)
     add_forces(way, mesh.elements[e], stretches[e], out.annulus_here[e], out);
+  out.speed_weight = speed_weights(mesh, out.lift);
   return out;
 }
 

@@ -78,13 +78,30 @@ private:
     return sum;
   }
 
+  /// annulus_loss() without flow: as the string alone drags the mud. Neighbours share their section, which is asked once.
+  double still_loss(std::size_t node) noexcept
+  {
+    const WaveLine::Node& n = waves_.annulus.nodes[node];
+    double sum = 0.0;
+    for (std::size_t k = n.first; k < n.last; ++k)
+    {
+      const WaveLine::Share& share = waves_.annulus.shares[k];
+      if (share.section != still_section_)
+        still_here_ = circuit_.law.along_section(share.section, 0.0, loads_.displaced, loads_.ways.warm).loss;
+      still_section_ = share.section;
+      sum += loads_.ways.narrowing * share.share * still_here_;
+    }
+    return sum;
+  }
+
   /// (3): driving = impedance Q + loss(Q), where a gel holds as much as it can.
+  /// @param still   loss(0)
   /// @param creeps  what holds standing mud beside the gel [Pa], the loss of creeping mud: dear, asked only where it matters
   template <class Creeps, class Loss>
-  double flow_between(double driving, double impedance, double gel, const Creeps& creeps, const Loss& loss,
+  double flow_between(double driving, double impedance, double gel, double still, const Creeps& creeps, const Loss& loss,
                       double guess) const noexcept
   {
-    const double net = moves_ ? driving - loss(0.0).loss : driving;
+    const double net = driving - still;
     const auto held = [&] { return std::abs(net) <= gel + creeps(); };
     if (std::abs(net) <= gel || (std::abs(guess) <= creep_ && held())) return 0.0;
     const double sign = net > 0.0 ? 1.0 : -1.0;
@@ -135,7 +152,7 @@ private:
       const double before = line.impedance[j - 1], behind = line.impedance[j], against = s_.bore_against[j];
       const double lost = leak_ > 0.0 && j == leak_in_bore_ ? leak_ : 0.0;
       flow = flow_between(
-          arriving - against - before * lost, before + behind, mud_.bore_gel * line.nodes[j].gel,
+          arriving - against - before * lost, before + behind, mud_.bore_gel * line.nodes[j].gel, 0.0,
           [&] { return bore_loss(j, creep_).loss; }, [&](double q) { return bore_loss(j, q); }, flow);
       s_.bore_against[j - 1] = arriving - 2.0 * before * (flow + lost);
       arriving = std::exchange(s_.bore_with[j], against + 2.0 * behind * flow);
@@ -239,7 +256,7 @@ private:
       const double below = displaced_by(j - 1), above = (j < n ? displaced_by(j) : 0.0) + lost;
       flow = flow_between(
           arriving - against - before * below - behind * above, before + behind, mud_.annulus_gel * line.nodes[j].gel,
-          [] { return 0.0; }, [&](double q) { return annulus_loss(j, q); }, flow);
+          moves_ ? still_loss(j) : 0.0, [] { return 0.0; }, [&](double q) { return annulus_loss(j, q); }, flow);
       s_.annulus_against[j - 1] = arriving - 2.0 * before * (flow + below);
       if (j < n) arriving = std::exchange(s_.annulus_with[j], against + 2.0 * behind * (flow + above));
       flow += lost;
@@ -283,11 +300,13 @@ private:
   const WaveLoads& loads_;
   const HydraulicState& mud_;
   PressureWaveState& s_;
-  double smallest_;    // change of a flow that is none [m3/s]
-  double creep_;       // the loss at this flow in the bore is its yield stress's [m3/s]
-  double bore_head_;   // by which the bore weighs more than the reference; at rest it does not push [Pa]
-  bool moves_;         // the string
-  double leak_ = 0.0;  // [m3/s]
+  double smallest_;   // change of a flow that is none [m3/s]
+  double creep_;      // the loss at this flow in the bore is its yield stress's [m3/s]
+  double bore_head_;  // by which the bore weighs more than the reference; at rest it does not push [Pa]
+  bool moves_;        // the string
+  std::size_t still_section_ = static_cast<std::size_t>(-1);  // whose loss without flow is still_here_
+  double still_here_ = 0.0;                                   // [Pa]
+  double leak_ = 0.0;                                         // [m3/s]
   std::size_t leak_in_bore_ = 0, leak_in_annulus_ = 0;
 };
 }  // namespace

@@ -5,15 +5,17 @@ namespace drill_rig_sim
 {
 double running_speed(const MudCircuit& mud, const std::vector<NodeState>& nodes) noexcept
 {
-  double sum = 0.0, weight = 0.0;
-  for (std::size_t e = 0; e < mud.lift.size(); ++e)
+  if (nodes.empty()) return 0.0;
+  double sum = 0.0;
+  Eigen::Vector3d place = nodes[0].position, velocity = nodes[0].rate.velocity;
+  for (std::size_t e = 0; e < mud.speed_weight.size(); ++e)
   {
-    if (mud.lift[e] <= 0.0) continue;
-    const Eigen::Vector3d up = (nodes[e + 1].position - nodes[e].position).normalized();
-    sum -= 0.5 * mud.lift[e] * up.dot(nodes[e].rate.velocity + nodes[e + 1].rate.velocity);
-    weight += mud.lift[e];
+    const Eigen::Vector3d next_place = nodes[e + 1].position, next_velocity = nodes[e + 1].rate.velocity;
+    sum -= mud.speed_weight[e] * (next_place - place).dot(velocity + next_velocity);
+    place = next_place;
+    velocity = next_velocity;
   }
-  return weight > 0.0 ? sum / weight : 0.0;
+  return sum;
 }
 
 }  // namespace drill_rig_sim

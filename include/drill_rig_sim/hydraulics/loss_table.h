@@ -3,6 +3,7 @@
 #define DRILL_RIG_SIM_HYDRAULICS_LOSS_TABLE_H
 
 #include <cmath>
+#include <cstddef>
 #include <functional>
 #include <vector>
 
@@ -30,12 +31,33 @@ public:
 
   bool empty() const noexcept { return loss_.empty(); }
   /// Flow of the first node.
-  double creep() const noexcept;
+  double creep() const noexcept { return largest_ / (intervals * intervals); }
   /// At a flow of any sign. Not of an empty table.
-  Value at(double flow) const noexcept;
+  Value at(double flow) const noexcept
+  {
+    const Value here = at_positive(std::abs(flow));
+    return {flow < 0.0 ? -here.loss : here.loss, here.slope};
+  }
 
 private:
-  Value at_positive(double flow) const noexcept;
+  static constexpr int intervals = 128;
+
+  Value at_positive(double flow) const noexcept
+  {
+    const double place = intervals * std::sqrt(flow / largest_);
+    if (place <= 1.0) return {loss_[1] * flow / creep(), loss_[1] / creep()};
+    if (place >= intervals)
+    {
+      const double by_flow = slope_[intervals] * 0.5 * intervals / largest_;
+      return {loss_[intervals] + by_flow * (flow - largest_), by_flow};
+    }
+    const auto i = static_cast<std::size_t>(place);
+    const double t = place - static_cast<double>(i), rest = 1.0 - t;
+    const double rise = loss_[i + 1] - loss_[i], lower = slope_[i], upper = slope_[i + 1];
+    const double loss = loss_[i] + rise * t * t * (3.0 - 2.0 * t) + t * rest * (lower * rest - upper * t);
+    const double slope = 6.0 * rise * t * rest + lower * rest * (1.0 - 3.0 * t) + upper * t * (3.0 * t - 2.0);
+    return {loss, slope * (0.5 * place / flow)};  // d place/d flow
+  }
 
   double largest_ = 0.0;
   std::vector<double> loss_;   ///< at the nodes [Pa]

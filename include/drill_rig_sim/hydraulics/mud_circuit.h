@@ -82,6 +82,7 @@ struct MudCircuit
   std::vector<double> stretch_by_bore;     ///< (1 - 2 nu) A_i/(E A_s): of the pipe by a pressure in its bore [1/Pa]
   std::vector<double> stretch_by_annulus;  ///< -(1 - 2 nu) A_o/(E A_s): by one around it [1/Pa]
   std::vector<double> lift;                ///< pi/4 D D_h annulus_here: by the annulus's pressure at the bit [m2]
+  std::vector<double> speed_weight;        ///< of the element in the string's mean speed: lift/(2 L), over all lift [1/m]
   double displaced_area =
       0.0;  ///< A_o + K (A_h - A_o): flow that counts for the annulus's losses per speed of the string; with a rheology A_o [m2]
   double tubular_loss =
