@@ -300,17 +300,7 @@ void add_forces(const MudWay& way, const MeshElement& element, const Stretch& st
   out.stretch_by_bore.push_back(per_area * element.bore_area);
   out.stretch_by_annulus.push_back(-per_area * element.outer_area);
   out.lift.push_back(0.25 * pi * element.outer_diameter * stretch.hole * annulus_here);
-}
-
-/// Weights of the elements' speeds in the string's mean speed: they do not change in a run, as an element stretches by a
-/// thousandth at most.
-std::vector<double> speed_weights(const Mesh& mesh, const std::vector<double>& lift)
-{
-  const double all = std::accumulate(lift.begin(), lift.end(), 0.0);
-  std::vector<double> out(lift.size(), 0.0);
-  if (all > 0.0)
-    for (std::size_t e = 0; e < lift.size(); ++e) out[e] = 0.5 * lift[e] / (mesh.elements[e].section.length * all);
-  return out;
+  out.speed_weight.push_back(0.5 * out.lift.back() / element.section.length);
 }
 }  // namespace
 
@@ -356,7 +346,8 @@ MudCircuit mud_circuit(const MudWay& way, const Mesh& mesh)
   out.displaced_area = way.rheology ? out.circuit.law.displaced_area : displaced_area(stretches, out);
   for (std::size_t e = 0; e < mesh.elements.size(); ++e)
     add_forces(way, mesh.elements[e], stretches[e], out.annulus_here[e], out);
-  out.speed_weight = speed_weights(mesh, out.lift);
+  const double lift = std::accumulate(out.lift.begin(), out.lift.end(), 0.0);
+  for (double& weight : out.speed_weight) weight /= lift > 0.0 ? lift : 1.0;
   return out;
 }
 
