@@ -27,8 +27,8 @@ Motion::Motion(const Scene& scene, std::shared_ptr<const Model> model, Simulator
       level_watch_(*model_),
       variable_(numerics_.has_variable_steps()),
       stride_end_(mechanics_),
-      between_(mechanics_),
       end_forces_(forces_),
+      between_(mechanics_),
       forces_between_(forces_)
 {
   levels_.free_length = std::min(free_length(scene), model_->mesh().nodes.back().from_bit);
