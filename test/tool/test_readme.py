@@ -171,6 +171,11 @@ class Readmes(unittest.TestCase):
     def test_the_front_page_is_short(self):
         self.assertLessEqual(len(read('README.md').splitlines()), LONGEST_FRONT_PAGE)
 
+    def test_the_front_page_has_the_figures_of_the_random_scenes(self):
+        table = re.search(r'^(\d+) scenes: (\d+) right, (\d+) warned, (\d+) silent', read('test', 'accuracy', 'pictures', 'random.md'), re.MULTILINE)
+        page = re.search(r'Of (\d+) \[random scenes\]\([^)]*\), (\d+) were right, (\d+) warned of, (\d+) warned of too late', read('README.md'))
+        self.assertEqual(table.groups(), page.groups())
+
     def test_every_room_is_named_and_includes_only_rooms_above_it(self):
         told = re.findall(r'^\| `(\w+)/` \|', read('include', 'drill_rig_sim', 'README.md'), re.MULTILINE)
         rooms = set()
