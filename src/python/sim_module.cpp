@@ -182,7 +182,7 @@ py::object shown(const std::vector<double>& values)
 {
   py::list list;
   for (const double value : values) list.append(shown(value));
-  return std::move(list);
+  return list;
 }
 
 /// What the finer models beside a rig have found, by the names of `drill verify --json`.
