@@ -107,7 +107,8 @@ void drill(bool balance, BitTorqueModel law = BitTorqueModel::stribeck, double s
 
   std::free(std::malloc(1));
   counting = true;
-  ::operator delete(::operator new(1));  // the counter counts; a new expression may be left out by the compiler
+  void* volatile counts = ::operator new(1);  // the counter counts; what is not volatile may be left out by the compiler
+  ::operator delete(counts);
   const long own = allocations;
 
   drill_ahead(rig, 90.0 * rpm, 0.02, 0.012);

@@ -132,10 +132,11 @@ TEST(Reference, JointsHoldWhileItDrills)
   run(simulator, 1.0);
   ASSERT_TRUE(simulator.statistics().is_reference);
   const ReferenceReport& report = simulator.statistics().reference;
-  // Newton's method ends at 1e-8 m or rad, and 1e-6 in rates, in root mean square over the unknowns (some 300). Its tangent may
-  // be old: the joints' axes have turned with the string since, and are what converges last.
+  // Newton's method ends at 1e-8 m or rad, and 1e-6 in rates, in root mean square over the unknowns (some 300): one of them may
+  // be off by the root of their number. Its tangent may be old: the joints' axes have turned with the string since, and are what
+  // converges last. Rates: 3e-6 by SUNDIALS 4.1, below 1e-6 by later ones.
   EXPECT_LT(report.drift, 1e-8 * std::sqrt(300.0));
-  EXPECT_LT(report.rate_drift, 1e-6);
+  EXPECT_LT(report.rate_drift, 1e-6 * std::sqrt(300.0));
   EXPECT_GT(report.ida.steps, 100u);
 }
 
