@@ -72,7 +72,11 @@ EventPage::EventPage(QWidget* parent)
 
 void EventPage::log(const QString& text, Level level)
 {
-  auto* item = new QListWidgetItem(clock_text(time_) + "  " + sign_of(level) + text);
+  repeats_ = text == logged_ ? repeats_ + 1 : 1;
+  logged_ = text;
+  if (repeats_ > 1) delete log_->takeItem(0);
+  const QString times = repeats_ > 1 ? QStringLiteral(" (%1 times)").arg(repeats_) : QString();
+  auto* item = new QListWidgetItem(clock_text(time_) + "  " + sign_of(level) + text + times);
   item->setForeground(text_color(level));
   log_->insertItem(0, item);
   if (log_->count() > longest_log) delete log_->takeItem(longest_log);

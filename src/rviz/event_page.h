@@ -31,7 +31,7 @@ public:
   void show_state(const RigState* state, const RigTruth* truth, const Diagnosis& diagnosis);
   /// Of the depths of faults.
   void set_units(UnitSystem system) { units_ = system; }
-  /// A line of the log.
+  /// A line of the log; one that repeats the line before becomes that line, with the number of times.
   void log(const QString& text, Level level);
   /// How many warnings there are now, unacknowledged alarms included.
   int warnings() const { return warnings_; }
@@ -67,6 +67,8 @@ private:
   std::vector<double> fault_depths_;  // of each [m]; NaN: it has no place
   UnitSystem units_ = UnitSystem::si;
   QString operation_, shown_;
+  QString logged_;   // the latest line's text
+  int repeats_ = 0;  // of it
   int warnings_ = 0;
   QString gravest_ = "No warnings";
   Level gravest_level_ = Level::normal;

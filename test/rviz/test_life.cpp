@@ -49,6 +49,11 @@ TEST(Life, SaysWhoIsNotThereAndRefusesCommands)
   console.forget_answer();
   console.click_and_agree("well reset", "well reset question");
   EXPECT_TRUE(console.answers("reset_well: not sent: no simulator at /nobody_home"));
+  const auto* log = console.get<QListWidget>("event log");
+  const int lines = log->count();
+  for (int n = 0; n < 3; ++n) EXPECT_TRUE(console.asks("time pause", "pause: not sent"));
+  EXPECT_EQ(lines + 1, log->count()) << "a line that repeats is counted";
+  EXPECT_TRUE(log->item(0)->text().endsWith("(3 times)")) << log->item(0)->text().toStdString();
   console.open_page_of("winch raise");
   console.forget_answer();
   QTest::mousePress(console.get("winch raise"), Qt::LeftButton);
