@@ -301,7 +301,7 @@ TEST(Units, AreSpelledInSeveralWays)
 
 TEST(Units, CaseAndSignsBetweenThePartsDoNotCount)
 {
-  const UnitFamily& torque = units_of_quantity("torque");
+  const UnitFamily torque = units_of_quantity("torque");
   for (const char* spelling : {"kft.lbf", "KFT_LBS", "kft-lb", "K-FT-LB", "klbf.ft", "1000 ft lbf", "kip-ft"})
   {
     ASSERT_NE(nullptr, find_unit(torque, spelling).unit) << spelling;
