@@ -7,6 +7,7 @@ arguments ~settings.
 --pass-over. ~orders: rows of time [s], set point and value. ~lockstep true: it steps the rig as fast as that goes, says how the law did (drill score)
 and, given ~csv, writes the truth as drill run --csv does. False: it follows rig_state and publishes commands, as with a real rig.
 """
+import inspect
 import os
 import signal
 import sys
@@ -15,7 +16,7 @@ import time
 import rospy
 from drill_rig_sim import control, topics
 from drill_rig_sim.autodriller import Autodriller
-from drill_rig_sim.campaign.blueprint import source_at
+from drill_rig_sim.campaign.blueprint import SourceError, source_at
 from drill_rig_sim.rig import Rig
 from drill_rig_sim.rss_steering import RssSteering
 from drill_rig_sim.score import score
@@ -25,7 +26,7 @@ from drill_rig_sim.slide_steering import SlideSteering
 from drill_rig_sim.stands import Stands
 from drill_rig_sim.status import Status
 from drill_rig_sim.stick_slip import StickSlip
-from drill_rig_sim.survey import read_survey
+from drill_rig_sim.survey import SurveyError, read_survey
 
 LAWS = {"autodriller": Autodriller, "slide_steering": SlideSteering, "rss_steering": RssSteering, "stands": Stands, "stick_slip": StickSlip}
 
@@ -34,7 +35,10 @@ def planned():
     """The survey of ~plan; None without."""
     if not rospy.has_param("~plan"):
         return None
-    return read_survey(rospy.get_param("~plan"), rospy.get_param("~plan_columns", ""), rospy.get_param("~plan_pass_over", False), plan=True)
+    try:
+        return read_survey(rospy.get_param("~plan"), rospy.get_param("~plan_columns", ""), rospy.get_param("~plan_pass_over", False), plan=True)
+    except SurveyError as error:
+        sys.exit("parameter ~plan: %s" % error)
 
 
 def in_lockstep(law, timeout):
@@ -48,13 +52,40 @@ def in_lockstep(law, timeout):
     print("\n".join(table(score(run, planned(), **rospy.get_param("~score", {})))), flush=True)
 
 
+def class_of_law():
+    """The class that ~law names."""
+    name = rospy.get_param("~law", "")
+    allowed = "allowed: %s, FILE.py:CLASS or PACKAGE.MODULE:CLASS" % ", ".join(LAWS)
+    if not isinstance(name, str) or name not in LAWS and not all(name.rpartition(":")):
+        sys.exit("parameter ~law is %r; %s" % (name, allowed))
+    try:
+        return LAWS[name] if name in LAWS else source_at(name).load()
+    except (OSError, UnicodeDecodeError, SourceError) as error:
+        sys.exit("parameter ~law is %r: %s; %s" % (name, error, allowed))
+
+
+def check_settings(law, settings):
+    """That a law's class takes them, and has all that it needs."""
+    taken = inspect.signature(law).parameters.values()
+    names = [one.name for one in taken if one.kind in (one.POSITIONAL_OR_KEYWORD, one.KEYWORD_ONLY)]
+    missing = [one.name for one in taken if one.name in names and one.default is one.empty and one.name not in settings]
+    unknown = [] if any(one.kind == one.VAR_KEYWORD for one in taken) else [name for name in settings if name not in names]
+    if unknown:
+        sys.exit("parameter ~settings: %s has no %s; allowed: %s" % (law.__name__, ", ".join(unknown), ", ".join(names) or "none"))
+    if missing:
+        sys.exit("parameter ~settings: %s needs %s" % (law.__name__, ", ".join(missing)))
+
+
 def law_of_parameters():
-    settings = dict(rospy.get_param("~settings", {}))
+    settings = rospy.get_param("~settings", {})
+    if not isinstance(settings, dict):
+        sys.exit("parameter ~settings is %r; allowed is names with values" % (settings,))
+    settings = dict(settings)
     if rospy.has_param("~plan"):
         settings["plan"] = planned()
-    name = rospy.get_param("~law")
-    law = (LAWS[name] if name in LAWS else source_at(name).load())(**settings)
-    return control.Ordered(law, rospy.get_param("~orders", []))
+    law = class_of_law()
+    check_settings(law, settings)
+    return control.Ordered(law(**settings), rospy.get_param("~orders", []))
 
 
 def end_launch():

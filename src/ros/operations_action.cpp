@@ -17,6 +17,11 @@ constexpr double feedback_period = 0.2;  // of simulated time [s]
 
 constexpr char replaced[] = "another rig, well or saved state has taken the place of this one";
 
+std::string finished(int count)
+{
+  return count == 1 ? "1 operation is finished" : std::to_string(count) + " operations are finished";
+}
+
 RunOperationsFeedback feedback_of(const OperationStatus& operation, const std::string& what, const Readings& readings)
 {
   RunOperationsFeedback feedback;
@@ -78,7 +83,7 @@ std::string OperationsAction::start(const std::string& operations)
       {
         require_ready(loop);
         if (loop.epoch() != epoch) throw std::runtime_error(replaced);
-        began_ = loop.rig().simulator->truth().time;
+        began_ = last_ = loop.rig().simulator->truth().time;
         epoch_ = epoch;
         order_ = loop.play(player);
         const OperationStatus first = loop.rig().player.operations().status();
@@ -92,26 +97,25 @@ void OperationsAction::cancel()
 {
   const std::uint32_t order = order_.exchange(0);
   if (order == 0) return;  // it has just ended
-  double now = 0.0;
   loop_.between_frames(
       [&](SimulationLoop& loop)
       {
         loop.stop_playing(order);
-        now = loop.rig().simulator->truth().time;
+        if (loop.epoch() == epoch_) last_ = loop.rig().simulator->truth().time;
       });
   RunOperationsResult result;
   result.message = "cancelled";
-  result.duration = now - began_;
+  result.duration = last_ - began_;
   server_.setPreempted(result, result.message);
 }
 
-void OperationsAction::end(bool success, const std::string& message, double now)
+void OperationsAction::end(bool success, const std::string& message)
 {
   if (order_.exchange(0) == 0) return;  // cancelled
   RunOperationsResult result;
   result.success = success;
   result.message = message;
-  result.duration = now - began_;
+  result.duration = last_ - began_;
   if (success)
     server_.setSucceeded(result, message);
   else
@@ -122,14 +126,15 @@ void OperationsAction::follow(const FrameRecord& frame)
 {
   const std::uint32_t order = order_;
   if (order == 0) return;
-  const double now = frame.truth.time;
-  if (frame.epoch > epoch_) return end(false, replaced, now);
+  if (frame.epoch > epoch_) return end(false, replaced);
   if (frame.order != order) return;  // of a frame before it began
-  if (frame.run_state == RunState::failed) return end(false, std::string("a frame failed: ") + frame.failure.data(), now);
-  if (!frame.playing) return end(false, "a command on a topic has taken over the rig", now);
+  const double now = frame.truth.time;
+  last_ = now;
+  if (frame.run_state == RunState::failed) return end(false, std::string("a frame failed: ") + frame.failure.data());
+  if (!frame.playing) return end(false, "a command on a topic has taken over the rig");
   const OperationStatus& operation = frame.operation;
-  if (operation.trouble != OperationTrouble::none) return end(false, trouble_of(operation), now);
-  if (operation.number == 0) return end(true, std::to_string(operation.count) + " operations are finished", now);
+  if (operation.trouble != OperationTrouble::none) return end(false, trouble_of(operation));
+  if (operation.number == 0) return end(true, finished(operation.count));
   if (operation.number != told_number_ || std::abs(now - told_at_) >= feedback_period) give_feedback(frame);
 }
 

@@ -103,13 +103,16 @@ class OperationsAction(unittest.TestCase):
         self.assertTrue(self.rig.advance(150).winch.brake)
         wait_until(lambda: other.get_result() is not None, "the other goal ends")
         self.assertTrue(other.get_result().success)
+        self.assertEqual("1 operation is finished", other.get_result().message)
 
     def test_a_reset_ends_it(self):
         self.begin(UP)
+        self.rig.advance(500)
         self.rig.must(self.rig.reset_well(SCENE, 0.0))
         state, result = self.end()
         self.assertEqual(GoalStatus.ABORTED, state)
         self.assertIn("taken the place", result.message)
+        self.assertAlmostEqual(5.0, result.duration, delta=0.1, msg="until the reset, which sets the rig's time to 0")
         self.assertEqual(0, self.rig.advance(1).operation_number)
 
     def test_an_operation_that_cannot_go_on_is_given_up(self):

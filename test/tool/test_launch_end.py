@@ -29,10 +29,10 @@ LAUNCH = '''<launch>
     <arg name="headless" value="true"/>
   </include>
   <node ns="rig" pkg="drill_rig_sim" type="controller.py" name="controller" output="screen" required="true">
-    <param name="law" value="%(folder)s/law.py:Law"/>
+    <param name="law" value="%(law)s"/>
     <param name="lockstep" value="%(lockstep)s"/>
     <rosparam>
-      settings: {reason: "%(reason)s"}
+      settings: %(settings)s
     </rosparam>
   </node>
 </launch>
@@ -46,14 +46,15 @@ def free_port():
 
 
 class LaunchEnd(unittest.TestCase):
-    def launched(self, lockstep, reason=''):
+    def launched(self, lockstep, settings='{reason: ""}', law='law.py:Law'):
         """What roslaunch prints, and its exit status."""
         with tempfile.TemporaryDirectory() as folder:
-            with open(os.path.join(folder, 'law.py'), 'w', encoding='utf-8') as law:
-                law.write(LAW)
+            with open(os.path.join(folder, 'law.py'), 'w', encoding='utf-8') as of_law:
+                of_law.write(LAW)
             file = os.path.join(folder, 'law.launch')
             with open(file, 'w', encoding='utf-8') as launch:
-                launch.write(LAUNCH % {'folder': folder, 'reason': reason, 'lockstep': str(lockstep).lower(), 'clock': 'lockstep' if lockstep else 'realtime'})
+                launch.write(LAUNCH % {'law': os.path.join(folder, law) if '.py' in law else law, 'settings': settings,
+                                       'lockstep': str(lockstep).lower(), 'clock': 'lockstep' if lockstep else 'realtime'})
             port = free_port()
             done = subprocess.run(['roslaunch', '-p', str(port), file], env={**os.environ, 'ROS_MASTER_URI': 'http://localhost:%d' % port}, timeout=100,
                                   stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
@@ -68,9 +69,18 @@ class LaunchEnd(unittest.TestCase):
             self.assertEqual(0, status, printed)
 
     def test_a_law_that_gave_up_is_reported(self):
-        printed, _ = self.launched(True, 'no way on')
+        printed, _ = self.launched(True, '{reason: no way on}')
         self.assertIn('given up: no way on', printed)
         self.assertIn('has died', printed)
+
+    def test_a_wrong_parameter_is_one_line(self):
+        for law, settings, line in (('autodriller', '{rpm: 60}', 'parameter ~settings: Autodriller needs set_points, stiffness, rop, flow, to_depth'),
+                                    ('law.py:Law', '{reson: ""}', 'parameter ~settings: Law has no reson; allowed: reason'),
+                                    ('law.py:Law', 'none', "parameter ~settings is 'none'; allowed is names with values"),
+                                    ('autodriler', '{}', "parameter ~law is 'autodriler'; allowed: autodriller, slide_steering")):
+            printed, _ = self.launched(True, settings, law)
+            self.assertIn(line, printed)
+            self.assertNotIn('Traceback', printed)
 
 
 if __name__ == '__main__':

@@ -28,12 +28,13 @@ private:
   void cancel();
   std::string start(const std::string& operations);
   void give_feedback(const FrameRecord& frame);
-  void end(bool success, const std::string& message, double now);
+  void end(bool success, const std::string& message);
 
   SimulationLoop& loop_;
   std::atomic<std::uint32_t> order_{0};  // under way; 0: none
   std::atomic<std::uint32_t> epoch_{0};  // of the rig that does it
-  std::atomic<double> began_{0.0};       // simulated time [s]
+  std::atomic<double> began_{0.0};       // time of the rig that does it [s]
+  std::atomic<double> last_{0.0};        // the same, of its last frame: a reset sets the rig's time to 0 [s]
   double told_at_ = 0.0;                 // of the last feedback [s]
   int told_number_ = 0;
   actionlib::SimpleActionServer<RunOperationsAction> server_;

@@ -25,20 +25,26 @@ namespace
 #include "drill_rig_sim/string/mud_text.h"
 #include "drill_rig_sim/string/beam_text.h"
 
-/// Lower end relative to the upper one.
+/// atan(t) for |t| below 0.1, to rounding.
+HWY_INLINE V atan_by_series(V t)
+{
+  const V s = t * t;
+  V sum = all(1.0 / 17.0);
+  for (const double odd : {15.0, 13.0, 11.0, 9.0, 7.0, 5.0, 3.0, 1.0}) sum = hn::NegMulAdd(s, sum, all(1.0 / odd));
+  return t * sum;
+}
+
+/// Lower end relative to the upper one. An element's twist does not depend on those beside it: some of them are guided, and hold
+/// what an earlier step has left.
 HWY_INLINE V twist_between(const Quaternion& from, const Quaternion& to)
 {
   const V w = hn::MulAdd(from.w, to.w, hn::MulAdd(from.x, to.x, hn::MulAdd(from.y, to.y, from.z * to.z)));
   const V x = hn::MulAdd(from.w, to.x, hn::NegMulAdd(from.x, to.w, hn::MulSub(from.z, to.y, from.y * to.z)));
   const V t = x / w;  // a w below zero changes both their signs
-  if (hn::AllTrue(Tag(), hn::Abs(t) < all(0.1)))
-  {
-    const V s = t * t;
-    V sum = all(1.0 / 17.0);
-    for (const double odd : {15.0, 13.0, 11.0, 9.0, 7.0, 5.0, 3.0, 1.0}) sum = hn::NegMulAdd(s, sum, all(1.0 / odd));
-    return all(2.0) * t * sum;
-  }
-  return all(2.0) * hn::Atan(Tag(), t);
+  const Mask small = hn::Abs(t) < all(0.1);
+  const V series = atan_by_series(t);
+  if (hn::AllTrue(Tag(), small)) return all(2.0) * series;
+  return all(2.0) * hn::IfThenElse(small, series, hn::Atan(Tag(), t));
 }
 
 HWY_INLINE Beam load_beam(const StringTask& task, int e)
