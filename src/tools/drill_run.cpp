@@ -99,6 +99,7 @@ RunEnd play(Simulator& simulator, const RunGoal& goal, Series& series, RunRecord
                          [&](const Truth& m)
                          {
                            record.drilling.add(m);
+                           record.latest.add(m);
                            record.doubts.add(m.time, simulator.statistics().accuracy);
                            record.errors.add(simulator);
                            record.limits.add(m, simulator.statistics().loads, simulator.scene().rig.hoisting.max_hook_load);

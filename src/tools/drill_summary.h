@@ -27,6 +27,7 @@ struct Elapsed
 struct RunRecord
 {
   DrillingRecord drilling;
+  LatestRecord latest;
   Doubts doubts;
   Limits limits;
   LargestErrors errors;
