@@ -34,6 +34,13 @@ double shorter(double length)
   return std::floor(0.9 * length / unit) * unit;
 }
 
+/// To two digits.
+double rounded_up(double number)
+{
+  const double unit = std::pow(10.0, std::floor(std::log10(number)) - 1.0);
+  return std::ceil(number / unit) * unit;
+}
+
 /// Of the needs that a level may leave out.
 std::string words_of(unsigned needs)
 {
@@ -102,8 +109,10 @@ std::string text_of(const AccuracyReport& r)
                   r.element_length, r.from_bit, r.measure, shorter(r.element_length / r.measure));
     case AccuracyDoubt::embedding:
       return text(
-          "%.4g m above the bit the string is %.2g mm deep in the wall, more than its clearance; use a larger contact.stiffness",
-          r.from_bit, 1e3 * r.measure);
+          "%.4g m above the bit the string is %.3g mm deep in the wall, more than its clearance: side forces are too small "
+          "there; "
+          "use contact.stiffness: %.2g or more, in that part if it has its own contact",
+          r.from_bit, 1e3 * r.measure, rounded_up(r.allowed));
     case AccuracyDoubt::level:
       return "numerics.level does not represent " + words_of(static_cast<unsigned>(r.measure)) +
              " (guided pipe has no bending, rigid pipe no waves); use hybrid or beam3d, or remove this from needs";

@@ -55,8 +55,14 @@ class Check(test_drill.Drill):
                 'tool_joint_diameter: 0.168}')
         bit = '{name: bit, type: bit, length: 0.3, mass: 40, diameter: 0.2159}'
         words = ('--set', 'string=[%s, %s, %s]' % (bit, motor, pipe))
-        self.assertRegex(self.succeed('check', QUICK, *words), r"wall +motor is [0-9.]+ mm deep in the wall 2 m above the bit; with the wall stiffness")
+        self.assertRegex(self.succeed('check', QUICK, *words), 
+                         r'wall +motor is [0-9.]+ mm deep in the wall 2 m above the bit: side forces are too small; use contact: \{stiffness: 2e\+10\} in')
         self.assertNotIn('deep in the wall', self.succeed('check', QUICK, *words, '--set', 'contact.stiffness=2e10'))
+        for stiffness in ('1e4', '5e6'):
+            text = self.succeed('check', QUICK, *words, '--set', 'numerics.level=beam3d', '--set', 'contact.stiffness=' + stiffness)
+            would_do = re.search('use contact.stiffness: (.*) or more', text).group(1)
+            text = self.succeed('check', QUICK, *words, '--set', 'numerics.level=beam3d', '--set', 'contact.stiffness=' + would_do)
+            self.assertNotIn('deep in the wall', text)
         pads = words + ('--set', 'string[1].outer_diameter=0.1715', '--set', 'string[1].linear_mass=95', '--set', 'string[0].gauge_length=0.15')
         self.assertIn('pads are wedged in the hole', self.succeed('check', QUICK, *pads))
         self.assertNotIn('wedged', self.succeed('check', QUICK, *pads, '--set', 'string[0].gauge_clearance=2e-3'))

@@ -72,12 +72,15 @@ TEST(Accuracy, theWallIsTooSoft)
   w.forces.contact[watched] = 186e3;
   EXPECT_EQ(w.after(0.2).doubt, AccuracyDoubt::embedding);
   EXPECT_NEAR(w.memory.report.measure, 0.024, 1e-4);
+  // the stiffness that the warning names: 1.5 * 186 kN / 0.02395^1.5
+  EXPECT_NEAR(w.memory.report.allowed, 7.527e7, 1e4);
   // the bit fills its hole, on a wall of its own: 2 mm, 2e10 * 0.002^1.5 = 1789 kN
   Watched bit(vertical_scene(400.0, 290.0));
   bit.forces.contact[0] = 1.78e6;
   EXPECT_EQ(bit.after(0.2).doubt, AccuracyDoubt::none);
   bit.forces.contact[0] = 1.80e6;
   EXPECT_EQ(bit.after(0.2).doubt, AccuracyDoubt::embedding);
+  EXPECT_NEAR(bit.memory.report.allowed, 1.5 * 1.80e6 / std::pow(0.002, 1.5), 1.0);
 }
 
 // An upright rig over a slant hole.
@@ -108,8 +111,10 @@ TEST(Accuracy, saysWhereWhatAndWhatHelps)
             "numerics.element_length: 4.2 or less");
   EXPECT_EQ(text_of({AccuracyDoubt::twist, 2.0, 812.0, 9.5}),
             "an element of 9.5 m, 812 m above the bit, is twisted by 2.00 rad; use numerics.element_length: 4.2 or less");
-  EXPECT_EQ(text_of({AccuracyDoubt::embedding, 0.0062, 1.8, 0.0}),
-            "1.8 m above the bit the string is 6.2 mm deep in the wall, more than its clearance; use a larger contact.stiffness");
+  EXPECT_EQ(
+      text_of({AccuracyDoubt::embedding, 0.0062, 1.8, 0.0, 1.231e9}),
+      "1.8 m above the bit the string is 6.2 mm deep in the wall, more than its clearance: side forces are too small there; "
+      "use contact.stiffness: 1.3e+09 or more, in that part if it has its own contact");
   EXPECT_EQ(text_of({AccuracyDoubt::slant, 12.0 * degree, 0.0, 0.0}),
             "the hole is inclined by 12 deg at the rotary table, but the rig is upright: hook load and torque include a bend "
             "there; use a well.survey that begins vertical");
