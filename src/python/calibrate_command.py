@@ -64,7 +64,7 @@ def unexplained(plan, left):
         (factor, unit), off = UNITS[signal], left[signal][0]
         varies = float(numpy.nanstd(plan.model.observed[(plan.model.signals == signal) & plan.fitted])) if off is not None else 0.0
         if off is not None and off > max(varies, BEYOND * noise):
-            lines.append("%s: is off by more than it varies in the record (%.4g %s): the scene does not do what the record shows, the confidence does not hold" %
+            lines.append("%s: the error of the fit is larger than the variation in the record (%.4g %s): the scene does not reproduce the record, and the confidence bands are not reliable" %
                          (signal, factor * varies, unit))
     return lines
 

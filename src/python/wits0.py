@@ -168,7 +168,7 @@ class Server:
         except OSError:  # gone again
             return
         if len(self.clients) >= MOST_CLIENTS:
-            self.say("%s:%d is turned away: there are %d clients" % (*address[:2], MOST_CLIENTS))
+            self.say("%s:%d is refused: there are already %d clients" % (*address[:2], MOST_CLIENTS))
             connection.close()
             return
         connection.setblocking(False)

@@ -94,12 +94,12 @@ std::vector<Key<DriveImpedance>> impedance_rows(const char* damping, const char*
 
 const Table<DriveImpedance> soft_torque_keys = {"rig.top_drive.soft_torque",
     "In mode SOFT_TORQUE the drive acts on the string as the impedance P + s (1 - c) inertia + I/s.",
-    impedance_rows("twice the pipe's impedance", "what cancels the inertia left at the string's slowest torsion, at 1 Hz where "
-    "that is faster")};
+    impedance_rows("twice the pipe's impedance",
+    "what cancels the inertia left at the string's lowest torsional frequency, at 1 Hz where that is higher")};
 
 const Table<DriveImpedance> z_torque_keys = {"rig.top_drive.z_torque",
     "As SOFT_TORQUE, with most of the rotor's inertia compensated, so that it damps over a wide band of frequencies.",
-    impedance_rows("the pipe's impedance", "P w / 8, w the string's slowest torsion, at most that of 1 Hz")};
+    impedance_rows("the pipe's impedance", "P w / 8, with w the string's lowest torsional frequency, at most 1 Hz")};
 
 const Table<MudPumpSpec> mud_pump_keys = {"rig.mud_pump", "Pump and stand pipe.", {
   {"max_flow",              "m3/s",   &MudPumpSpec::max_flow,              above(0.0, 1.0),      "largest flow of the pump"},

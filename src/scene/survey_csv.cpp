@@ -273,7 +273,7 @@ void check_names(const CsvTable& table, Problems& problems)
   }
   if (parted > 1)
     problems.add_at(table.line, first,
-                    "a name holds the delimiter, a comma before the unit, needed: names in quotes, or units in brackets");
+                    "a name contains the delimiter, a comma before the unit, needed: names in quotes, or units in brackets");
 }
 
 // The line of units below the header, where there is one; false if it has one that is not known.

@@ -118,10 +118,12 @@ void print_tuned_drive(const Scene& scene, const Mesh& mesh, const Printed& prin
   const auto damping = [&](double si) { return printed(si, Dimension::torsional_damping, {"%.3g", "N m s/rad"}); };
   const TopDriveSpec drive = tuned(scene.rig.top_drive, mesh);
   const DriveImpedance &soft = drive.soft_torque, &z = drive.z_torque;
-  std::printf("top drive   pipe of %s, slowest torsion %.3f Hz: SOFT_TORQUE P %s, I %s; Z_TORQUE P %s, I %s\n",
-              printed(torsional_impedance(mesh), Dimension::torsional_damping, {"%.0f", "N m s/rad"}).c_str(),
-              slowest_torsion(mesh) / (2.0 * pi), damping(soft.damping).c_str(), stiffness(soft.stiffness).c_str(),
-              damping(z.damping).c_str(), stiffness(z.stiffness).c_str());
+  std::printf(
+      "top drive   torsional impedance of the pipe %s, lowest torsional frequency %.3f Hz: SOFT_TORQUE P %s, I %s; Z_TORQUE P "
+      "%s, I %s\n",
+      printed(torsional_impedance(mesh), Dimension::torsional_damping, {"%.0f", "N m s/rad"}).c_str(),
+      slowest_torsion(mesh) / (2.0 * pi), damping(soft.damping).c_str(), stiffness(soft.stiffness).c_str(),
+      damping(z.damping).c_str(), stiffness(z.stiffness).c_str());
 }
 
 void print_heave(const HeaveSpec& heave, const Printed& printed)
@@ -158,7 +160,7 @@ void print_new_hole(const Scene& scene, double bottom_tvd, const Printed& printe
     const bool last = i + 1 == rock.size();
     if (!last && rock[i].to_tvd <= bottom_tvd) continue;
     if (std::isnan(rock[i].friction))
-      std::printf(" its section's");
+      std::printf(" that of its section");
     else
       std::printf(" %g", rock[i].friction);
     if (!last) std::printf(" to %s TVD,", printed(rock[i].to_tvd, Dimension::length, depth).c_str());
@@ -307,7 +309,7 @@ void print_well(const Scene& scene, const Simulator& simulator, const Printed& p
   print_sharpest_bend(Survey(scene.well.survey), printed);
   print_new_hole(scene, -simulator.wellbore().bottom_position().z(), printed);
   print_string(scene, printed);
-  std::printf("start       bit at %s, block at %s, hook load %s, of it the string %s\n",
+  std::printf("start       bit at %s, block at %s, hook load %s, of which the string %s\n",
               printed(m.bit_depth, Dimension::length, {"%.3f", "m"}).c_str(),
               printed(m.block_height, Dimension::length, {"%.2f", "m"}).c_str(),
               printed(m.hook_load, Dimension::force, tenth_kilonewton).c_str(),

@@ -161,7 +161,7 @@ class Clients(unittest.TestCase):
         one_more = socket.create_connection(("127.0.0.1", self.server.port), PATIENCE)
         self.addCleanup(one_more.close)
         self.assertEqual(b"", one_more.recv(1))
-        self.assertIn("turned away", self.said[-1])
+        self.assertIn("is refused", self.said[-1])
         clients[0].close()
         self.until(lambda: len(self.server.clients) < wits0.MOST_CLIENTS, "room")
         self.client()

@@ -102,7 +102,7 @@ public:
   Timekeeper& time() noexcept { return time_; }
   bool paused() const noexcept { return paused_; }
   void set_paused(bool paused) noexcept;
-  /// Simulated seconds per wall second; 0: as fast as it goes.
+  /// Simulated seconds per wall second; 0: as fast as possible.
   void set_speed(double speed)
   {
     time_.set_speed(speed, steady_now());
@@ -177,7 +177,7 @@ private:
   void one_frame(std::int64_t now) noexcept;
   void publish_now(bool rebuilt) noexcept;
   void restart_cadences() noexcept;
-  /// In lockstep, as fast as it goes and faster than real time a frame may wait for them, in real time it must not.
+  /// In lockstep, as fast as possible and faster than real time a frame may wait for them, in real time it must not.
   void pace_companions()
   {
     const bool keeps_time = !time_.in_lockstep() && (time_.follows() || (time_.speed() > 0.0 && time_.speed() <= 1.0));

@@ -79,7 +79,7 @@ def moves_of(record, passed=None):
     found = [move for begin, end in runs(kinds, speeds) for move in [steady_part(record, kinds[begin], speeds, begin, end)] if move is not None]
     known = [move for move in found if move.motion != UNKNOWN]
     left_out = [move for move in found if move.motion == UNKNOWN]
-    lines = ["%s: %d moves are left out: in a gap before them the block moved by an unknown way (first: rotating at %.1f s)" %
+    lines = ["%s: %d moves are left out: in a gap before them the block moved by an unknown distance (first: rotating at %.1f s)" %
              (record.name, len(left_out), left_out[0].from_time)] if left_out else []
     moves, odd = plausible(record, known)
     return moves, lines + odd + uneven(record, moves)
@@ -105,7 +105,7 @@ def plausible(record, moves):
     heavy = [move for move in moves if move.empty and move.load > EMPTY * least]
     lines = ["%s: %d moves are left out, %s (first: at %.1f s)" % (record.name, len(some), why, some[0].from_time) for some, why in (
         (light, "with less than half of the usual load: the bit's depth moves, but the string may be in the slips"),
-        (heavy, "with the load of the string: the block moves, but the bit's depth stands")) if some]
+        (heavy, "with the load of the string: the block moves, but the bit's depth does not change")) if some]
     return [move for move in moves if move not in light and move not in heavy], lines
 
 
