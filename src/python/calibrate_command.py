@@ -70,7 +70,7 @@ def unexplained(plan, left):
 
 
 def told_by(parameter):
-    """Half the width of its bounds: what is no surer than that, the data have not told."""
+    """Half the width of its bounds: a parameter that is no surer than that is not determined by the data."""
     return 0.5 * (parameter.high - parameter.low)
 
 

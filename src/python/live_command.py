@@ -49,7 +49,7 @@ class Topics:
     """Residuals as std_msgs/Float64 [SI] on NAMESPACE/residual/SIGNAL, from the row on that has them."""
 
     def __init__(self, namespace):
-        import rospy  # needed for topics alone
+        import rospy  # needed only for topics
         from std_msgs.msg import Float64
         rospy.init_node("drill_live", disable_signals=True)
         self.publishers = {signal: rospy.Publisher("%s/residual/%s" % (namespace, signal), Float64, queue_size=100) for signal in SHOWN}

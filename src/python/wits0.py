@@ -88,7 +88,7 @@ class Client:
 
 
 class Server:
-    """Sends every record to every client. send() never waits; a thread does the rest. `say(text)` is told who comes, goes and misses records."""
+    """Sends every record to every client. send() never waits; a thread does the rest. `say(text)` is called when a client connects, leaves or misses records."""
 
     def __init__(self, host, port, say=lambda text: None):
         """Port 0: any that is free. Throws OSError where it cannot listen."""

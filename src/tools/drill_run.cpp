@@ -50,7 +50,7 @@ double done(const Truth& m, double start_depth, const RunGoal& goal, const Opera
   return std::max({m.time / goal.duration, drilled, operations});
 }
 
-/// What is written in the course of a run. All files are opened ahead, so that a long run does not end on a misspelt folder.
+/// What is written during a run. All files are opened ahead, so that a long run does not end on a misspelt folder.
 struct Series
 {
   Series(const RunOptions& o, const Scene& scene)

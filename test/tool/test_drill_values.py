@@ -206,7 +206,7 @@ class Progress(test_drill.Drill):
         try:
             while True:
                 shown += os.read(master, 65536)
-        except OSError:  # nobody holds the other end any more
+        except OSError:  # the other end is closed
             pass
         os.close(master)
         self.assertEqual(run.wait(300), 0)

@@ -156,7 +156,7 @@ TEST(Connection, thereAndBackIsNothing)
   EXPECT_NEAR(rig.save()->string.length, length + 19.0, 1e-9);
 }
 
-// Weight and stretch of the pipe that comes, and what rings above the slips, are booked as handled.
+// Weight and stretch of the pipe that comes, and what rings above the slips, are counted as handled.
 TEST(Connection, closesTheEnergyBalance)
 {
   for (const Level level : {Level::beam3d, Level::axial_torsional})

@@ -270,13 +270,13 @@ TEST(Crew, comesForAnOperation)
   EXPECT_TRUE(rig.setpoints().winch.brake);
   rig.command(WinchSetpoint{0.5, false});
   play_until(rig, slips_frame, 300.0, [](const Truth& m) { return m.stop_reached; });
-  EXPECT_EQ(rig.truth().stand_count, there - 1) << "nobody asked for the crew";
+  EXPECT_EQ(rig.truth().stand_count, there - 1) << "the crew was not called";
   scene.rig.hoisting.highest_block_height = 25.0;
   ASSERT_EQ(scene_problems(scene).size(), 4u);
   EXPECT_EQ(scene_problems(scene).front().text, "connection: the block travels 24 m, needed for a stand: 30 m");
 }
 
-// What nobody would do ends with a reason, and the block does not set the string down.
+// What no crew would do ends with a reason, and the block does not set the string down.
 TEST(Crew, operationsThatCannotBeAreTold)
 {
   Scene scene = soft_rock(Level::rigid);

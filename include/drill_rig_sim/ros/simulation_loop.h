@@ -118,7 +118,7 @@ public:
   void stop_playing(std::uint32_t order) noexcept;
   /// How often another rig, well or saved state has taken the place of the one before.
   std::uint32_t epoch() const noexcept { return epoch_; }
-  /// Hands the present state over once more, stamped as it was: after a change of the readings alone. While time stands rig_state
+  /// Hands the present state over once more, stamped as it was: after a change only of the readings. While time stands rig_state
   /// says it; otherwise its next frame does.
   void hand_over_again() noexcept;
   /// What came from topics up to now.

@@ -22,7 +22,7 @@ SIGNED_POWER = r"10\s*(?:\^|\*\*)\s*-?\d+|10[\u2070\u00b9\u00b2\u00b3\u2074-\u20
 POWER = re.compile(SIGNED_POWER + r"|10{2,6}")  # alone in brackets: `Hook Load (1000) (lbf)`
 LAST_POWER = re.compile(r"(?<![\w.^*\u00d7])(?:%s)$" % SIGNED_POWER)  # `Hook Load 10^3 (lbf)`; that with an x is a FACTOR
 ALL_NAMES = {name for ranks in RANKS.values() for name in ranks}
-SEPARATOR, MOST_PARTS = re.compile(r"\s*[,/_]\s*|\s+(?:-\s+)?"), 4  # before a unit without brackets, and so many of its own: `gal_per_min`
+SEPARATOR, MOST_PARTS = re.compile(r"\s*[,/_]\s*|\s+(?:-\s+)?"), 4  # before a unit without brackets, and the most parts of its own: `gal_per_min`
 
 
 class RecordError(Refusal):
@@ -199,7 +199,7 @@ class Again:
 
 
 def unit_of_both(file, line, name, cell, unit):
-    """Of the line of units and of the column's name, which may hold a factor alone; RecordError where they differ."""
+    """Of the line of units and of the column's name, which may hold only a factor; RecordError where they differ."""
     said = cell.strip(" []()<>{}")
     if said and unit and FACTOR.fullmatch(unit):
         return "%s %s" % (unit, said)
