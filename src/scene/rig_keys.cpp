@@ -122,7 +122,7 @@ const Table<MudPumpSpec> mud_pump_keys = {"rig.mud_pump", "Pump and stand pipe."
 
 const Table<HeaveSpec> heave_keys = {"rig.heave", "Waves under a floating rig without a heave compensator. Floor, winch, rail "
     "and slips move together on regular waves, which grow from rest within five periods. Heights of the block are above the "
-    "floor; `floor_height` and `floor_velocity` of `rig_state` are the floor's. A block at its lowest or highest place moves "
+    "floor; `floor_height` and `floor_velocity` of `rig_state` are the floor's. A block at its lowest or highest position moves "
     "against its stop (`stop_reached`). `tare` and operations use the average hook load over a period; topics carry the "
     "momentary one, which `instruments.surface.hook_load.filter_time` smooths. Surge and swab pressures are those of friction; "
     "the mud's inertia, as large again in a deep well, is added by `mud.pressure_waves`. For a rig with a "

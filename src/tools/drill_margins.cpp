@@ -13,7 +13,8 @@ namespace drill_rig_sim
 {
 namespace
 {
-constexpr double much = 0.8;  // of the string's hook load: as much as collars of a usual string weigh at most
+constexpr double surely = 0.9;  // of the turning torque, which the frictionless equilibrium gives within some per cent
+constexpr double much = 0.8;    // of the string's hook load: as much as collars of a usual string weigh at most
 
 constexpr Printed::InSI tenth_kilonewton{"%.1f", "kN", 1e-3}, tenth_kilonewton_metre{"%.1f", "kN m", 1e-3};
 
@@ -60,9 +61,9 @@ void print_margins(const RigAtRest& rig, const Printed& printed)
 {
   const Scene& scene = rig.model->scene();
   const double torque = turning_torque(rig), most_torque = scene.rig.top_drive.max_torque;
-  if (most_torque < torque) print_torque(most_torque, torque, "rig.top_drive.max_torque", printed);
+  if (most_torque < surely * torque) print_torque(most_torque, torque, "rig.top_drive.max_torque", printed);
   for (std::size_t i = 0; i < scene.program.size(); ++i)
-    if (const double limit = scene.program[i].torque_limit; limit > 0.0 && limit < torque)
+    if (const double limit = scene.program[i].torque_limit; limit > 0.0 && limit < surely * torque)
       print_torque(limit, torque, item_key("program", i, "top_drive_torque_limit"), printed);
 
   const double most_weight = rig.statics.top_force + rig.statics.forces.wob;

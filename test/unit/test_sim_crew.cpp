@@ -308,9 +308,10 @@ TEST(Crew, operationsThatCannotBeAreTold)
   const double none = Operation::unset;
   EXPECT_EQ(gives_up({operation(OperationKind::connection, none, none)}),
             "the bit reaches bottom before the block is low enough to add a stand, needed: drill deeper first");
-  EXPECT_EQ(gives_up({operation(OperationKind::trip, 206.0, none)}), "its depth is below the bottom of the hole");
+  EXPECT_EQ(gives_up({operation(OperationKind::trip, 206.0, none)}),
+            "to_depth is below the bottom of the hole, allowed: down to the bottom");
   EXPECT_EQ(gives_up({operation(OperationKind::trip, 2.0, none)}),
-            "the block is at its highest place, and there is no stand to take away");
+            "the block is at its highest position, and there is no stand to remove");
   scene.operations = {operation(OperationKind::trip, 206.0, none)};
   ASSERT_EQ(scene_problems(scene).size(), 1u);
   EXPECT_EQ(scene_problems(scene).front().text, "206 m is below the hole's bottom, allowed: down to 205.05 m");

@@ -64,9 +64,9 @@ TEST(Margins, aDriveThatCannotTurnTheStringIsReported)
 {
   Scene scene = bent_scene(0.25);
   const double torque = turning_torque(build_at_rest(scene));
-  scene.rig.top_drive.max_torque = 1.01 * torque;
+  scene.rig.top_drive.max_torque = 0.91 * torque;
   EXPECT_EQ(printed(scene), "");
-  scene.rig.top_drive.max_torque = 0.99 * torque;
+  scene.rig.top_drive.max_torque = 0.89 * torque;
   EXPECT_EQ(printed(scene).rfind("torque      rig.top_drive.max_torque: ", 0), 0u) << printed(scene);
   scene.rig.top_drive.max_torque = 10.0 * torque;
   scene.program.resize(2);

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Audits: some runs of a campaign are played once more beside two finer models, as `drill verify` does, to measure how wrong its results are."""
+"""Audits: some runs of a campaign are played once more together with two finer models, as `drill verify` does, to measure how wrong its results are."""
 import math
 
 import numpy
