@@ -51,7 +51,7 @@ clear_line() { ! on_terminal || printf '\r\033[K'; }
 
 files_begun() { grep -c 'Building CXX object' "$1/build.log"; }
 
-# What make has still to compile; asked of make, for it alone knows what is out of date. The rule stands for the libraries and
+# What make has still to compile; asked of make, for only it knows what is out of date. The rule stands for the libraries and
 # generated sources that are not there yet: without them make ends before it comes to what needs them.
 files_left() { make -n -k --eval='.DEFAULT: ;' -C "$1" $2 2>/dev/null | grep -o 'Building CXX object [^"]*' | sort -u | wc -l; }
 
@@ -115,7 +115,7 @@ run_build()
   making=$!
   set +m
   trap stop_making EXIT
-  trap 'trap - INT; kill -INT $$' INT  # bash alone ignores a Ctrl-C that none of its own programs dies of
+  trap 'trap - INT; kill -INT $$' INT  # only bash ignores a Ctrl-C that none of its own programs dies of
   show_progress "$making" "$dir" "$targets"
   wait "$making"
   status=$?

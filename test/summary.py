@@ -9,7 +9,7 @@ import xml.etree.ElementTree as xml
 
 
 def why(case):
-    """The lines in which a program that ctest took for skipped says so."""
+    """The lines in which a program that ctest took for skipped reports why."""
     said = [line for line in (case.findtext("system-out") or "").splitlines() if "skipped" in line.lower() or "not installed" in line]
     return ": " + "; ".join(said) if said else ""
 

@@ -6,7 +6,7 @@ FRACTURE = 1350.0  # mud weight that opens the rock at the bit [kg/m3]
 
 
 def means(values, t, seconds):
-    """Running means over so many seconds."""
+    """Running means over windows of these lengths [s]."""
     count = max(1, round(seconds / (t[1] - t[0])))
     return numpy.convolve(values, numpy.ones(count) / count, "valid")
 

@@ -9,7 +9,7 @@ namespace drill_rig_sim
 namespace
 {
 constexpr double own_of_difference = 1.0 / 3.0;  // of the finest run's error, over what the finer two differ by
-constexpr double known_to = 1.0 / 3.0;           // of what is to be told
+constexpr double known_to = 1.0 / 3.0;           // of the error that is to be determined
 constexpr double rounding = 1e-6;                // of sums of frames [s]
 }  // namespace
 

@@ -15,21 +15,21 @@ const char* text_of(OperationTrouble trouble) noexcept
     case OperationTrouble::none:
       break;
     case OperationTrouble::motor_stalled:
-      return "the mud motor has stalled";
+      return "the mud motor has stalled; pick up, then use a smaller weight";
     case OperationTrouble::over_weight:
-      return "the weight on bit is far above its set point";
+      return "the weight on bit is more than twice its set point and 30 kN above it; use a smaller speed";
     case OperationTrouble::below_bottom:
-      return "its depth is below the bottom of the hole";
+      return "to_depth is below the bottom of the hole, allowed: down to the bottom";
     case OperationTrouble::no_zero:
       return "the weight on bit is not zeroed, needed: tag before drill or slide";
     case OperationTrouble::tag_on_bottom:
       return "the weight on bit cannot be zeroed on bottom or in the slips, needed: pick_up first";
     case OperationTrouble::nothing_to_take:
-      return "the block is at its highest place, and there is no stand to take away";
+      return "the block is at its highest position, and there is no stand to remove";
     case OperationTrouble::no_room_to_add:
-      return "the block is at its lowest place, and no stand can be added";
+      return "the block is at its lowest position, and no stand can be added";
     case OperationTrouble::block_at_stop:
-      return "the block is at the end of its travel, and the operation has not reached its end";
+      return "the block is at the end of its travel before the operation has ended; needed: a connection before it";
     case OperationTrouble::bottom_too_near:
       return "the bit reaches bottom before the block is low enough to add a stand, needed: drill deeper first";
   }

@@ -358,9 +358,9 @@ std::string doubt_of_pressures(const MudCircuit& mud)
   char text[240];
   const double flow = mud.circuit.nominal_flow;
   std::snprintf(text, sizeof text,
-                "bore and annulus alone would lose %.2f MPa at the pump's largest flow, %.3g m3/s: pressure_coefficient leaves "
-                "nothing for the bit, one above %.3g would",
-                mud.tubular_loss / 1e6, flow, mud.tubular_loss / (flow * flow));
+                "at the pump's largest flow, %.3g m3/s, bore and annulus lose %.2f MPa: rig.mud_pump.pressure_coefficient is too "
+                "small for any pressure drop at the bit; use more than %.3g",
+                flow, mud.tubular_loss / 1e6, mud.tubular_loss / (flow * flow));
   return text;
 }
 

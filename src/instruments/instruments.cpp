@@ -56,7 +56,7 @@ Instruments::Instruments(const Scene& scene, const Truth& at_start, std::uint64_
   hole_depth_ = at_start.hole_depth;
 }
 
-/// While the slips bear the string its depth is held, and the tally follows the block: with all pipe that comes in and goes out.
+/// While the slips carry the string its depth is held, and the tally follows the block: with all pipe that comes in and goes out.
 void Instruments::read(const Truth& truth, const SensorView& view, Readings& readings) noexcept
 {
   if (view.in_slips) tally_ = readings.bit_depth;

@@ -26,7 +26,7 @@ highlight_language = 'text'
 # the copy of libjs-mathjax that src/manual/run puts there afterwards: the manual reads without a network
 exclude_patterns = ['_static']
 mathjax_path = 'mathjax/MathJax.js?config=TeX-AMS_HTML'
-# MyST keeps MathJax off the text beside formulas; by default it tells only MathJax 3, which Debian has not, what is one
+# MyST keeps MathJax off the text beside formulas; by default it marks them only for MathJax 3, which Debian does not have
 mathjax2_config = {'tex2jax': {'processClass': 'tex2jax_process|mathjax_process|math|output_area'}}
 math_number_all = False
 breathe_projects = {'laws': os.environ.get('MANUAL_DOXYGEN', '')}

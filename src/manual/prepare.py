@@ -37,7 +37,7 @@ def read(*path):
 
 
 def included(source, place):
-    """The text of an include; links lead out of the manual there, so their words alone are left."""
+    """The text of an include; links lead out of the manual there, so only their words are left."""
     if ' ' not in source and source.endswith('.md'):
         return LINK.sub(r'\1', read(source))
     return '```text\n%s```\n' % place.run(source)

@@ -32,7 +32,7 @@ void sample_energy(const Model& model, const State& start, const Stage& stage, c
   out.increment.resize(size);
   out.step = stage.time;
   out.shaft = ShaftSample();
-  // the whole residual as the methods see it, not the sum of what the forces tell apart: one that is missing there would show
+  // the whole residual as the methods see it, not the sum of the forces' parts: one that is missing there would show
   evaluate(model, start, stage, u, work, out.force[static_cast<std::size_t>(NodeForce::unsolved)].data(), nullptr);
   expand_motions(stage, work);
   const StageContext at{model, start, stage, work};

@@ -100,7 +100,7 @@ void move_free(const State& start, const Stage& stage, const double* u, Workspac
   }
 }
 
-/// The node where somebody else says that it is.
+/// The node at a position that another integrator gives.
 void place(const GivenNode& given, NodeMotion& node) noexcept
 {
   node.position = given.position;
@@ -237,7 +237,7 @@ void find_string_forces(const Model& model, const State& start, const Stage& sta
 
 namespace
 {
-/// Of the nodes where somebody else says that they are: one by one.
+/// Of the nodes at positions that another integrator gives: one by one.
 void add_sum(Sum sum, const StageContext& at, const ForceRows& to) noexcept
 {
   for (const Force* force : all_forces)

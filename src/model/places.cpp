@@ -41,9 +41,9 @@ struct Search
   HoleColumns& hole;
 };
 
-/// Clear is who has not gone far since he was found clear; of the others those are searched in batches that are beside a smooth
-/// segment, and what then is left, unless it is in the mast, by one(k). For the rest found(k, segment, touches). `hint_of(k)`:
-/// the segment at the start of the step; `point_of(k)`: where he is.
+/// A node is clear if it has not moved far since it was found clear; of the others those are searched in batches that are beside
+/// a smooth segment, and what then is left, unless it is in the mast, by one(k). For the rest found(k, segment, touches).
+/// `hint_of(k)`: the segment at the start of the step; `point_of(k)`: where it is.
 template <class Find, class Hint, class Point, class One, class Found>
 void search(const Wellbore& well, const Search& who, Workspace& work, Find&& find, Hint&& hint_of, Point&& point_of, One&& one,
             Found&& found) noexcept

@@ -64,13 +64,13 @@ def unexplained(plan, left):
         (factor, unit), off = UNITS[signal], left[signal][0]
         varies = float(numpy.nanstd(plan.model.observed[(plan.model.signals == signal) & plan.fitted])) if off is not None else 0.0
         if off is not None and off > max(varies, BEYOND * noise):
-            lines.append("%s: is off by more than it varies in the record (%.4g %s): the scene does not do what the record shows, the confidence does not hold" %
+            lines.append("%s: the error of the fit is larger than the variation in the record (%.4g %s): the scene does not reproduce the record, and the confidence bands are not reliable" %
                          (signal, factor * varies, unit))
     return lines
 
 
 def told_by(parameter):
-    """Half the width of its bounds: what is no surer than that, the data have not told."""
+    """Half the width of its bounds: a parameter that is no surer than that is not determined by the data."""
     return 0.5 * (parameter.high - parameter.low)
 
 

@@ -55,7 +55,7 @@ class Deaf:
 
 
 class Ordered:
-    """A law whose operator changes his mind: rows of time since its first step [s], set point and value, of law.set_points."""
+    """A law whose set points are changed during the run: rows of time since its first step [s], set point and value, of law.set_points."""
 
     def __init__(self, law, orders):
         self._law, self._orders, self._begin = law, sorted(orders), None

@@ -115,7 +115,7 @@ public:
   using std::runtime_error::runtime_error;
 };
 
-/// What one frame tells.
+/// The results of one frame.
 struct Frame
 {
   ShownFrame readings;
@@ -150,7 +150,7 @@ public:
   /// Set points from the next frame on; all of them are taken, or none.
   void command(const std::optional<WinchSetpoint>& winch, const std::optional<TopDriveSetpoint>& top_drive,
                const std::optional<PumpSetpoint>& pump, const std::optional<SteeringSetpoint>& steering);
-  /// Computes so many frames. `may_go_on` is asked now and then, and may throw; what has been computed by then stays.
+  /// Computes this number of frames. `may_go_on` is called now and then, and may throw; what has been computed by then stays.
   void advance(std::size_t frames, const std::function<void()>& may_go_on);
   /// The state after the last frame.
   Frame frame() const;

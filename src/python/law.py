@@ -42,7 +42,7 @@ class Loop:
         return self.gain * (self.set_point - reading) + self.integral
 
     def follow(self, feed, dt, reading=None):
-        """`feed`: in force. If it is this loop's, its `reading` tells more: on rock that gives way in proportion, set point over reading times that."""
+        """`feed`: in force. If it is this loop's, its `reading` gives more: on rock that gives way in proportion, set point over reading times that."""
         if reading is not None:
             feed *= self.set_point / max(reading, 0.5 * self.set_point)
         self.integral += dt / self.reset_time * (feed - self.integral)
@@ -100,7 +100,7 @@ class Plan:
 class PipeWork:
     """Sets the slips, adds pipe or takes it away, and picks up, by the rig's services; a part of a law that makes no way of its own meanwhile.
 
-    Whether the slips bear the string a noisy gauge with the sheaves' friction in it tells badly; the answer of the rig to slips and connection tells it, as the
+    A noisy gauge with the sheaves' friction in it does not show reliably whether the slips carry the string; the rig's answer to slips and connection does, as the
     look of its crew would. So both are asked for again and again while the block goes down, or up, little by little."""
     still = 3.0                # so long all stands before the slips are asked for [s]
     slow, creep = 0.02, 0.002  # of the block while weight goes to the slips and comes back; while the slips are tried [m/s]
@@ -151,7 +151,7 @@ class PipeWork:
             commands.slips, self.asked, self.since = True, "slips", readings.t
 
     def slack(self, readings, commands, _):
-        """The block goes down; from where the slips may bear the string until the rig takes the connection: a second's way, a second's rest, a try."""
+        """The block goes down; from where the slips may carry the string until the rig takes the connection: a second's way, a second's rest, a try."""
         if self.tried(readings, "connection"):
             self.made = True
             return self.go("connect", readings.t)

@@ -49,7 +49,7 @@ class Topics:
     """Residuals as std_msgs/Float64 [SI] on NAMESPACE/residual/SIGNAL, from the row on that has them."""
 
     def __init__(self, namespace):
-        import rospy  # needed for topics alone
+        import rospy  # needed only for topics
         from std_msgs.msg import Float64
         rospy.init_node("drill_live", disable_signals=True)
         self.publishers = {signal: rospy.Publisher("%s/residual/%s" % (namespace, signal), Float64, queue_size=100) for signal in SHOWN}
@@ -67,7 +67,7 @@ class Shown:
     def __call__(self, time, row):
         if not self.names:
             self.names = list(row)
-            print("%8s %s  measured, measured less simulated" % ("time [s]", " ".join("%24s" % self.units.label(NAMES[name], QUANTITIES[name]) for name in row)))
+            print("%8s %s  measured, measured minus simulated" % ("time [s]", " ".join("%24s" % self.units.label(NAMES[name], QUANTITIES[name]) for name in row)))
             if self.csv:
                 self.csv.write(",".join(["time"] + ["%s_%s" % (side, name) for name in row for side in ("measured", "simulated")]) + "\n")
         cells, numbers = [], []
@@ -85,7 +85,7 @@ class Shown:
             self.csv.flush()
 
     def table(self):
-        lines = ["%-12s %12s %12s %12s %8s  off: measured less simulated" % ("", "mean off", "rms off", "largest off", "rows")]
+        lines = ["%-12s %12s %12s %12s %8s  off: measured minus simulated" % ("", "mean off", "rms off", "largest off", "rows")]
         for name, values in self.residuals.items():
             unit, off = self.units[QUANTITIES[name]], numpy.array(values)
             lines.append("%-12s %s %8d %s" % (NAMES[name], " ".join("%12.3f" % (unit.per_si * number) for number in (

@@ -28,7 +28,7 @@ class TimedOut(Exception):
 
 
 class State:
-    """What one frame tells. Its attributes are the readings, fields of RigState: what a controller may know. Beside them:
+    """The results of one frame. Its attributes are the readings, fields of RigState: what a controller may know. Beside them:
 
     t         stamp [s]
     truth     the RigTruth, and
@@ -114,21 +114,21 @@ class Lockstep:
     # --- time
 
     def step(self, seconds=None, frames=1):
-        """Computes so many frames, or as many as last `seconds`, at most 100000; the state after them."""
+        """Computes `frames` frames, or as many as last `seconds`, at most 100000; the state after them."""
         if seconds is None and (frames != int(frames) or frames < 0):
             raise ValueError("frames is %r; allowed is a whole number from 0 on" % frames)
         self.state = self._advance(int(frames) if seconds is None else self._frames_in(seconds))
         return self.state
 
     def frames(self, seconds, every=1):
-        """Steps through `seconds`, giving the state after every so many frames: for s in rig.frames(60.0): ..."""
+        """Steps through `seconds`, giving the state after each `every` frames: for s in rig.frames(60.0): ..."""
         left = self._frames_in(seconds)
         while left > 0:
             yield self.step(frames=min(every, left))
             left -= every
 
     def step_until(self, condition, timeout, every=1):
-        """Steps until condition(state), looked at after every so many frames; the state then. TimedOut after `timeout` simulated seconds."""
+        """Steps until condition(state), looked at after each `every` frames; the state then. TimedOut after `timeout` simulated seconds."""
         for state in self.frames(timeout, every):
             if condition(state):
                 return state

@@ -99,7 +99,7 @@ def draw_scale(panel, place, down, curves, drawn, units, band):
 
 
 def limits(values, least):
-    """Of a scale: what is within the outer half percents, so that a jerk does not flatten all else; from 0 where that is near."""
+    """Of a scale: what is within the outer half percents, so that a short peak does not flatten all else; from 0 where that is near."""
     low, high = numpy.percentile(values[numpy.isfinite(values)], (0.5, 99.5)) if numpy.isfinite(values).any() else (0.0, 0.0)
     low, high = min(low, 0.0) if low < 0.5 * high else low, max(high, 0.0) if high > 0.5 * low else high
     margin = max(0.05 * (high - low), 0.5 * (least - (high - low)))

@@ -20,12 +20,12 @@ NAMES = {"hook_load": "hook load", "torque": "torque", "stand_pipe_pressure": "s
 
 
 def table(replay, units=SI):
-    lines = ["%-12s %12s %12s %12s %12s  off: recorded less simulated" % ("", "mean off", "rms off", "largest off", "range")]
+    lines = ["%-12s %12s %12s %12s %12s  off: recorded minus simulated" % ("", "mean off", "rms off", "largest off", "range")]
     for signal, numbers in replay.table().items():
         unit = units[QUANTITIES[signal]]
         lines.append("%-12s %s %s" % (NAMES[signal], " ".join("%12.3f" % (unit.per_si * numbers[key]) for key in ("mean", "rms", "largest", "range")), unit.name))
     load, unit = replay.table().get("hook_load"), units[QUANTITIES["hook_load"]]
-    return lines + error_lines(replay) + (["hook load left unknown by the record's sampling: %.3g %s rms, %.3g %s at most" %
+    return lines + error_lines(replay) + (["hook load not determined by the record's sampling: %.3g %s rms, %.3g %s at most" %
                      (unit.per_si * load["unresolved_rms"], unit.name, unit.per_si * load["unresolved_largest"], unit.name)] if load else [])
 
 

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Follows a plan with a rotary steerable tool, which hears from the surface by downlink alone: the pump's flow, lowered and raised bit by bit. A law for
+"""Follows a plan with a rotary steerable tool, which receives commands only by downlink: the pump's flow, lowered and raised bit by bit. A law for
 drill_rig_sim.control; an autodriller inside keeps the weight, and feeds on as before while a downlink upsets the hook load.
 
 Wanted is the plan's curvature, and what brings direction and place back to the plan within some metres. What the hole does below the survey's sensor is
-told ahead by what the tool was told.
+predicted by what the tool was sent.
 """
 import math
 
@@ -62,7 +62,7 @@ class RssSteering(Steering):
         self.offset = tuple(offset + way * error for offset, error in zip(self.offset, self.error))
 
     def since(self, depth, bit):
-        """How far the tool has turned the hole from a depth to the bit, as it was told: (build, turn) [rad]."""
+        """How far the tool has turned the hole from a depth to the bit, as it was commanded: (build, turn) [rad]."""
         turned = [0.0, 0.0]
         ends = [row[0] for row in self.told[1:]] + [bit]
         for (begin, rate), end in zip(self.told, ends):
@@ -71,7 +71,7 @@ class RssSteering(Steering):
         return turned
 
     def choose(self, readings):
-        """What the hole should do from here on, and a downlink where the tool was told otherwise."""
+        """What the hole should do from here on, and a downlink where the tool has another command."""
         bit = readings.bit_depth
         if not self.told:
             self.told = [[bit, (0.0, 0.0)]]

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Judges a controller's run: `drill score` as a function. What each score is stands at the function that works it out; SI units but where a
-name says otherwise. Needs ROS for bags alone.
+name says otherwise. Needs ROS only for bags.
 
     from drill_rig_sim.score import score
     scores = score("run.csv", plan="plan.csv", bit_diameter=0.3112, wob=10e3)
@@ -14,7 +14,7 @@ from drill_rig_sim.score_runs import FLAGS, Run, read_run
 from drill_rig_sim.survey import Survey, angle_between, direction, read_survey
 
 ON_BOTTOM = 0.01        # so near to the hole's bottom the bit counts as on it [m]
-WINDOW = 10.0           # of the stick-slip index, and of the mean that tells sliding from turning [s]
+WINDOW = 10.0           # of the stick-slip index, and of the mean that distinguishes sliding from turning [s]
 LEAST_ROP = 5e-5       # mean on bottom from which on something is drilled, 0.18 m/h [m/s]
 SLIDING = 0.105         # slower than this mean of the top drive the string slides, 1 rpm [rad/s]
 TURNING = 0.5           # windows whose mean bit speed is below this have no stick-slip index [rad/s]
@@ -27,7 +27,7 @@ PATH_SPACING = 0.5      # between the points of the hole that are held against t
 def score(run, plan=None, bit_diameter=None, wob=None, wob_band=None, toolface=None, toolface_band=None, namespace=None):
     """Judges a run: a file of drill run --csv, a bag, or a Run. `plan`: a survey's file, or a Survey. `bit_diameter` [m]: for the specific
     energy. `wob` +- `wob_band` [N] (a tenth of it) and `toolface` +- `toolface_band` [rad] (15 deg): set points, for the share of time near them.
-    Returns a dictionary of dictionaries; what cannot be told is None, and `left_out` says why. `companion`: the same of the run's companion, None
+    Returns a dictionary of dictionaries; what cannot be determined is None, and `left_out` says why. `companion`: the same of the run's companion, None
     without one: how far the two are apart says how much a score depends on the numerics."""
     run = run if isinstance(run, Run) else read_run(run, namespace)
     plan = read_survey(plan, plan=True) if isinstance(plan, str) else plan

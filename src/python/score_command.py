@@ -47,7 +47,7 @@ TABLE = (
 
 
 def table(scores, units=SI):
-    """Lines of what was told, with the difference to the companion's where there is one, and of what was left out and why."""
+    """Lines of what was determined, with the difference to the companion's where there is one, and of what was left out and why."""
     lines = ["%s, by its %s%s" % (scores["run"], scores["source"], ", +- the difference to its companion" if scores["companion"] else "")]
     for section, name, meaning, quantity, factor, decimals in TABLE:
         value, off, unit = score_in(scores, section, name), off_companion(scores, section, name, quantity), units[quantity]
@@ -64,12 +64,12 @@ def table(scores, units=SI):
 
 
 def score_in(scores, section, name):
-    """None where it is not told."""
+    """None where it is not determined."""
     return ((scores or {}).get(section) or {}).get(name)
 
 
 def off_companion(scores, section, name, quantity):
-    """How far a score is from the companion's, in the score's unit; None where one of them is not told."""
+    """How far a score is from the companion's, in the score's unit; None where one of them is not determined."""
     value, other = score_in(scores, section, name), score_in(scores["companion"], section, name)
     if value is None or other is None:
         return None

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Runs to be judged: time series of `drill run --csv`, and bags, as columns by the names that `drill run --csv` has. Needs ROS for bags alone."""
+"""Runs to be judged: time series of `drill run --csv`, and bags, as columns by the names that `drill run --csv` has. Needs ROS only for bags."""
 import csv
 import os
 
@@ -101,7 +101,7 @@ def last_run(time, epochs=None):
 def read_bag(file, namespace=None):
     """Of truth/rig_state and truth/bit where the bag has them, else of rig_state and downhole/*."""
     try:
-        import rosbag  # needed for bags alone
+        import rosbag  # needed only for bags
     except ImportError:
         raise RunError("%s: bags need Debian's python3-rosbag" % file)
     try:

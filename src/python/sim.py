@@ -46,7 +46,7 @@ def empty_block(scene, direction=0):
 
 
 def plain_scene(scene):
-    """Text of a scene that needs no other file: numbers in SI units alone, the survey's stations in it, keys that have their defaults left out."""
+    """Text of a scene that needs no other file: numbers only in SI units, the survey's stations in it, keys that have their defaults left out."""
     return _sim.plain_scene(found(scene, "config/scenes"))
 
 
@@ -73,7 +73,7 @@ class Simulator(Lockstep):
 
     @property
     def kernel(self):
-        """Of the batch kernels. The same scene gives the same bits by the same build() and kernel alone."""
+        """Of the batch kernels. The same scene gives the same bits only by the same build() and kernel."""
         return self._rig.kernel()
 
     @property
@@ -183,7 +183,7 @@ class Simulator(Lockstep):
     # --- time
 
     def record(self, seconds, every=1):
-        """Steps through `seconds` and keeps the frame after every so many and the last: a Record."""
+        """Steps through `seconds` and keeps each `every`-th frame and the last: a Record."""
         frames, recorder = self._frames_in(seconds), _sim.Recorder()
         self._hand_over()
         try:

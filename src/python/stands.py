@@ -6,7 +6,7 @@ from drill_rig_sim.law import PipeWork
 
 
 class Stands:
-    """`stands`: so many connections. `driller`: settings of the autodriller, whose to_depth is the goal."""
+    """`stands`: number of connections. `driller`: settings of the autodriller, whose to_depth is the goal."""
     period = 0.1
     lift = 1.0                     # off bottom for the connection [m]
     flow_ramp = 0.002              # [m3/s2]

@@ -22,7 +22,7 @@ def report(remarks):
 
 
 def plain_utf8(file, longest):
-    """The text of a file where the Python module sim is not built, as after ./launch/demo alone: the package's own files are UTF-8."""
+    """The text of a file where the Python module sim is not built, as after only ./launch/demo: the package's own files are UTF-8."""
     try:
         with open(file, "rb") as source:
             text = source.read(longest + 1).decode("utf-8-sig")

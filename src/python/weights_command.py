@@ -54,12 +54,12 @@ def remarks_on(record, moves, odd):
     """What its reader should know, a line each. `odd`: on moves that are left out."""
     lines = record.remarks + odd
     if "hole_depth" not in record:
-        lines.append("%s: has no hole_depth: only where the bit is %g m above its deepest place so far it is taken as off bottom" % (record.name, OFF_BOTTOM))
+        lines.append("%s: has no hole_depth: the bit counts as off bottom where it is %g m or more above its deepest position so far" % (record.name, OFF_BOTTOM))
     pumped = [move for move in moves if move.pumped]
     if pumped:
         lines.append("%s: the pump ran in %d of %d moves; drill calibrate fits weights without flow: compare with --no-flow" % (record.name, len(pumped), len(moves)))
     if not any(move.empty for move in moves):
-        lines.append("%s: the block never moves with the string in the slips: the weight of the empty block is not found" % record.name)
+        lines.append("%s: the block never moves with the string in the slips: the weight of the empty block is not known" % record.name)
     return lines
 
 

@@ -88,7 +88,7 @@ class Client:
 
 
 class Server:
-    """Sends every record to every client. send() never waits; a thread does the rest. `say(text)` is told who comes, goes and misses records."""
+    """Sends every record to every client. send() never waits; a thread does the rest. `say(text)` is called when a client connects, leaves or misses records."""
 
     def __init__(self, host, port, say=lambda text: None):
         """Port 0: any that is free. Throws OSError where it cannot listen."""
@@ -168,7 +168,7 @@ class Server:
         except OSError:  # gone again
             return
         if len(self.clients) >= MOST_CLIENTS:
-            self.say("%s:%d is turned away: there are %d clients" % (*address[:2], MOST_CLIENTS))
+            self.say("%s:%d is refused: there are already %d clients" % (*address[:2], MOST_CLIENTS))
             connection.close()
             return
         connection.setblocking(False)

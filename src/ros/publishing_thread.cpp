@@ -103,7 +103,7 @@ void PublishingThread::tell_leader(const FrameRecord& record)
   rosgraph_msgs::Clock next;
   if (record.run_state == RunState::failed)
     next.clock = ros::TIME_MAX;
-  else if (record.stamp != 0)  // before the first clock there is no time to tell
+  else if (record.stamp != 0)  // before the first clock there is no time to publish
     next.clock = to_time(record.stamp + period_);
   next_frame_.publish(next);
 }

@@ -243,7 +243,7 @@ std::string Services::set_speed(double speed)
   if (!loop_.time().has_own_clock() && speed != 1.0)
     throw Refusal("speed must be 1: stamps are wall time (~publish_clock is false)");
   loop_.between_frames([=](SimulationLoop& loop) { loop.set_speed(speed); });
-  return speed == 0.0 ? "as fast as it goes" : std::to_string(speed) + " simulated seconds per wall second";
+  return speed == 0.0 ? "as fast as possible" : std::to_string(speed) + " simulated seconds per wall second";
 }
 
 std::string Services::save_state(const SaveState::Request& request)

@@ -51,7 +51,7 @@ void SimulationLoop::start()
 {
   time_.restart(steady_now());
   if (time_.follows())
-    hand_over({});  // no stamp before another rig's clock is heard: for the diagnostics alone
+    hand_over({});  // no stamp before another rig's clock is received: only for the diagnostics
   else
     publish_now(true);
   thread_ = std::thread([this] { run(); });
@@ -119,7 +119,7 @@ void SimulationLoop::step_on_commands() noexcept
   if (mailbox_.answered(parameters_.step_on_commands, time_.stamp())) frames_to_go_ = parameters_.frames_of_state();
 }
 
-/// A controller that has come since, or has lost the last rig_state, is told it again now and then: it would wait for ever, and
+/// A controller that has come since, or has lost the last rig_state, gets it again now and then: it would wait for ever, and
 /// the rig for it.
 void SimulationLoop::wait_while_time_stands() noexcept
 {

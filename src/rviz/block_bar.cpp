@@ -18,7 +18,7 @@ constexpr int mast_width = 34, block_height = 12;
 BlockBar::BlockBar(QWidget* parent) : QWidget(parent), place_{missing, missing, missing, missing, 0, false, false, true}
 {
   setAccessibleName("block bar");
-  setToolTip("The block between its lowest and highest place; the stands in the string");
+  setToolTip("The block between its lowest and highest position; the stands in the string");
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
 }
 

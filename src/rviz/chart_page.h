@@ -29,7 +29,7 @@ public:
   void set_units(UnitSystem system);
   /// What has come: kept in any case, drawn when it is seen.
   void record(double time, double depth, const Values& values);
-  /// Nothing was heard for a while.
+  /// Nothing was received for a while.
   void interrupt();
   /// Draws, if it is seen.
   void refresh();

@@ -19,7 +19,7 @@
 
 namespace drill_rig_sim::console
 {
-/// A curve in pieces: nothing is drawn where nothing was heard.
+/// A curve in pieces: nothing is drawn where nothing was received.
 class StrokeCurve : public QwtPlotCurve
 {
 public:

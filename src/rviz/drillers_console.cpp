@@ -310,7 +310,7 @@ void DrillersConsole::take_answer(const QString& what, bool success, const QStri
   p.setColor(QPalette::WindowText, QColor(success ? look::good : look::alarm));
   answer_->setPalette(p);
   QFont letters = answer_->font();
-  letters.setBold(!success);  // told from a good one without its colour too
+  letters.setBold(!success);  // distinguished from a success without its colour too
   answer_->setFont(letters);
   answer_->setToolTip(line);
   tell(answer_, line);

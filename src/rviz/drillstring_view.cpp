@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the display tells: statuses, legend, the numbers of a place; and where it puts the camera.
+// What the display reports: statuses, legend, the numbers of a place; and where it puts the camera.
 #include <OgreCamera.h>
 #include <OgreRay.h>
 #include <OgreSceneNode.h>

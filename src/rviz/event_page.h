@@ -17,7 +17,7 @@ class QPushButton;
 
 namespace drill_rig_sim::console
 {
-/// What is the case now (flags, lost gauges, faults) with the alarms that nobody has acknowledged, the accuracy of the simulation
+/// What is the case now (flags, lost gauges, faults) with the alarms that are not acknowledged, the accuracy of the simulation
 /// in a line of its own, and a log of flags from and to, operations, connections and answers.
 class EventPage : public QWidget
 {

@@ -45,7 +45,7 @@ public:
   void show_value(double value, const char* why, bool lost, bool stale, const Limits& limits);
   /// Measured error of the simulation [SI]; NaN: not measured.
   void set_error(double error);
-  /// Further pull that the string bears before it yields [N], shown beside an over-pull; NaN: not known.
+  /// Further pull until the string yields [N], shown beside an over-pull; NaN: not known.
   void set_margin(double margin) { margin_ = margin; }
   /// The truth; NaN: unknown.
   void set_truth(double value);

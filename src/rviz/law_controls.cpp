@@ -17,7 +17,7 @@ namespace drill_rig_sim::console
 {
 namespace
 {
-constexpr int between_words = 1000;  // that the law's process hears of the console, at most 3 s [ms]
+constexpr int between_words = 1000;  // between messages of the console to the law's process, at most 3 s [ms]
 constexpr int patience = 3000;       // for the process to end [ms]
 
 constexpr std::size_t to_depth = 6;

@@ -39,7 +39,7 @@ QString shown_text(double si, Dimension dimension, UnitSystem system);
 /// Widgets with the name that tests and screen readers know them by.
 QPushButton* make_button(const QString& text, const QString& name, QWidget* parent);
 QLabel* make_label(const QString& text, QWidget* parent);
-/// A label that tells something: in small faint letters.
+/// A label with information: in small faint letters.
 QLabel* make_reading(const QString& name, QWidget* parent);
 QCheckBox* make_check(const QString& text, const QString& name, QWidget* parent);
 /// Marks a widget whose set point was edited and is not in force yet, by bold letters and a blue ground, or takes the mark away.

@@ -29,7 +29,7 @@ struct Diagnosis
 {
   RunState run_state = RunState::unknown;
   double real_time_factor = missing, speed = 1.0;
-  double pull_to_yield = missing;                 // further pull that the string bears [N]
+  double pull_to_yield = missing;                 // further pull until the string yields [N]
   std::string time, physics, accuracy, commands;  // its summaries; empty: all is well
 };
 
@@ -58,7 +58,7 @@ Values truth_of(const News& news, double bit_diameter);
 RigAbilities abilities_of(const RigLimits& limits);
 /// `truth`: for what no rig can sense; null: those flags are down.
 Flags flags_of(const RigState& state, const RigTruth* truth);
-/// What tells a move of the string; its hook load is missing in a drop-out.
+/// What shows a move of the string; its hook load is missing in a drop-out.
 MoveReading move_reading_of(const RigState& state, const Values& readings);
 /// Whether the bit drills by the readings: near bottom, in no slips, with a rate of penetration.
 bool drills(const RigState& state);

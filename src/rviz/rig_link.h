@@ -75,7 +75,7 @@ public:
     if (!can_call(name)) return;
     caller_.call(node_->resolveName(name.toStdString()), name, service, patience);
   }
-  /// Asks for the names of the snapshots that the rig keeps, which come as `states`; where no rig is heard nothing comes.
+  /// Asks for the names of the snapshots that the rig keeps, which come as `states`; where no rig answers nothing comes.
   void ask_states();
   int pending_calls() const { return caller_.pending(); }
 

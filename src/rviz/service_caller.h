@@ -44,7 +44,7 @@ public:
   ~ServiceCaller() override;
 
   /// Calls the service `topic` (its full name), whose answer comes as `answered` by the name `what`; after `patience` [s] without
-  /// one the call is cut off and that is told. Services that answer `success` and `message`.
+  /// one the call is cut off and this is reported. Services that answer `success` and `message`.
   template <class Service>
   void call(const std::string& topic, const QString& what, const Service& service, double patience)
   {

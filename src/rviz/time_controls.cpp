@@ -41,7 +41,7 @@ TimeControls::TimeControls(RigLink& link, QWidget* parent)
   speed_->setValue(1.0);
   speed_->setSuffix(QString::fromUtf8(" ×"));
   speed_->setSpecialValueText("full speed");
-  speed_->setToolTip("Simulated seconds per wall second; 0: as fast as it goes");
+  speed_->setToolTip("Simulated seconds per wall second; 0: as fast as possible");
 
   grid().addWidget(pause, 0, 0);
   grid().addWidget(resume, 0, 1);

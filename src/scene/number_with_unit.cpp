@@ -13,6 +13,7 @@
 #include "drill_rig_sim/math/ends_with.h"
 #include "drill_rig_sim/math/unit_table.h"
 #include "drill_rig_sim/well/problem.h"
+#include "problems.h"
 
 namespace drill_rig_sim
 {
@@ -51,12 +52,12 @@ std::string allowed_units(const KeyUnits& units, const std::string& key_unit)
   return units.family ? listed_units(*units.family, units.suffix) : "a number without a unit, which is in " + key_unit;
 }
 
-// What is wrong with a unit that the key does not take. Of the file's own text it shows only units of the table.
+// What is wrong with a unit that the key does not take.
 std::string refusal(const KeyUnits& units, const std::string& written, const std::string& key_unit)
 {
   const std::string allowed = "; allowed: " + allowed_units(units, key_unit);
   const UnitFamily* other = family_of(written);
-  return (other ? written + " is " + other->quantity : std::string("unknown unit")) + allowed;
+  return (other ? written + " is " + other->quantity : "unknown unit \"" + shortened(written) + '"') + allowed;
 }
 
 // a number of a message, which has six figures; the first one, if it is what was given, is shown as it was

@@ -94,12 +94,12 @@ std::vector<Key<DriveImpedance>> impedance_rows(const char* damping, const char*
 
 const Table<DriveImpedance> soft_torque_keys = {"rig.top_drive.soft_torque",
     "In mode SOFT_TORQUE the drive acts on the string as the impedance P + s (1 - c) inertia + I/s.",
-    impedance_rows("twice the pipe's impedance", "what cancels the inertia left at the string's slowest torsion, at 1 Hz where "
-    "that is faster")};
+    impedance_rows("twice the pipe's impedance",
+    "what cancels the inertia left at the string's lowest torsional frequency, at 1 Hz where that is higher")};
 
 const Table<DriveImpedance> z_torque_keys = {"rig.top_drive.z_torque",
     "As SOFT_TORQUE, with most of the rotor's inertia compensated, so that it damps over a wide band of frequencies.",
-    impedance_rows("the pipe's impedance", "P w / 8, w the string's slowest torsion, at most that of 1 Hz")};
+    impedance_rows("the pipe's impedance", "P w / 8, with w the string's lowest torsional frequency, at most 1 Hz")};
 
 const Table<MudPumpSpec> mud_pump_keys = {"rig.mud_pump", "Pump and stand pipe.", {
   {"max_flow",              "m3/s",   &MudPumpSpec::max_flow,              above(0.0, 1.0),      "largest flow of the pump"},
@@ -122,7 +122,7 @@ const Table<MudPumpSpec> mud_pump_keys = {"rig.mud_pump", "Pump and stand pipe."
 
 const Table<HeaveSpec> heave_keys = {"rig.heave", "Waves under a floating rig without a heave compensator. Floor, winch, rail "
     "and slips move together on regular waves, which grow from rest within five periods. Heights of the block are above the "
-    "floor; `floor_height` and `floor_velocity` of `rig_state` are the floor's. A block at its lowest or highest place moves "
+    "floor; `floor_height` and `floor_velocity` of `rig_state` are the floor's. A block at its lowest or highest position moves "
     "against its stop (`stop_reached`). `tare` and operations use the average hook load over a period; topics carry the "
     "momentary one, which `instruments.surface.hook_load.filter_time` smooths. Surge and swab pressures are those of friction; "
     "the mud's inertia, as large again in a deep well, is added by `mud.pressure_waves`. For a rig with a "

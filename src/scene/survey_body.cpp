@@ -107,7 +107,7 @@ private:
         if (end < lines_.size() && path_of_cell(text) != SurveyPath::unsaid)
           return problems_.add_at(lines_[i].number, "",
                                   "\"" + shortened(text) +
-                                      "\" stands between stations: of which path those below are, is not clear, "
+                                      "\" stands between stations: it is not clear whether those below are planned or drilled, "
                                       "needed: a file for the plan and one for the drilled well");
   }
 
@@ -198,7 +198,7 @@ private:
     const auto place = place_left_out(line.text, before_->text);
     if (place)
       problems_.add_at(line.number, "",
-                       "its cells do not stand below those of line " + std::to_string(before_->number) + " from " +
+                       "its cells are not aligned with those of line " + std::to_string(before_->number) + " from " +
                            shortened(table_.header.cells[*place].text) +
                            " on: a cell is empty in one of these lines, needed: - in empty cells");
   }

@@ -167,13 +167,13 @@ void add_header_problem(const CsvTable& table, Problems& problems)
 {
   const SurveyHeader& header = table.header;
   if (header.wrong != "no such column in the header") return problems.add_at(table.line, header.wrong_where, header.wrong);
-  const std::string found =
-      header.found == 0 ? "" : "; it has " + cells_listed(header.cells) + " (delimiter " + table.delimiter.name + ")";
-  problems.add_at(
-      table.line, header.wrong_where,
-      header.wrong + found +
-          "; needed: md_m, inclination_deg, azimuth_deg or the usual names of these, with their units, or a map `columns` (" +
-          how_to_map + ")");
+  const std::string needed =
+      "; needed: md_m, inclination_deg, azimuth_deg or the usual names of these, with their units, or a map "
+      "`columns` (" +
+      std::string(how_to_map) + ")";
+  if (header.found == 0) return problems.add_at(table.line, "", "no line names measured depth, inclination and azimuth" + needed);
+  problems.add_at(table.line, header.wrong_where,
+                  header.wrong + "; it has " + cells_listed(header.cells) + " (delimiter " + table.delimiter.name + ")" + needed);
 }
 
 // Angles without a unit are degrees where they are too large for radians.
@@ -273,7 +273,7 @@ void check_names(const CsvTable& table, Problems& problems)
   }
   if (parted > 1)
     problems.add_at(table.line, first,
-                    "a name holds the delimiter, a comma before the unit, needed: names in quotes, or units in brackets");
+                    "a name contains the delimiter, a comma before the unit, needed: names in quotes, or units in brackets");
 }
 
 // The line of units below the header, where there is one; false if it has one that is not known.

@@ -24,7 +24,7 @@ struct HeaderCell
   bool weak = false;                                     ///< "Depth": measured depth only where no other column is
   const UnitName* unit = nullptr;                        ///< nullptr: it names none
   std::string unit_in_brackets;                          ///< as it is written, "" without one
-  std::string north;                                     ///< "true", "grid" or "magnetic" of an azimuth that says so
+  std::string north;                                     ///< "true", "grid" or "magnetic" of an azimuth with such a name
   SurveyPath path = SurveyPath::unsaid;                  ///< "Plan MD", "Actual MD"
   std::optional<std::size_t> quantity_without_brackets;  ///< where what stands in brackets is no unit: MD (fathoms)
 };
@@ -61,7 +61,7 @@ std::string north_of_line(const std::string& line);
 /// "Depth Reference: MSL". Else "".
 std::string datum_of_line(const std::string& line);
 
-/// Why the columns' units cannot be told, in one line; empty if they can. Those of angles may be left to the values.
+/// Why the columns' units are not clear, in one line; empty if they can. Those of angles may be left to the values.
 std::string unit_problem(const SurveyHeader& header, std::size_t quantity);
 
 /// What the columns were taken for, for messages: `md "MD (ft)" [ft], ...`.

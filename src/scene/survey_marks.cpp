@@ -79,7 +79,7 @@ public:
     };
     const auto count = std::count_if(kinds_.begin(), kinds_.end(), is_other);
     if (any(SurveyPath::planned) && count > 0 && static_cast<std::size_t>(count) < kinds_.size())
-      leave_out(is_other, format_.plan ? "of the plan alone" : "of the drilled well alone");
+      leave_out(is_other, format_.plan ? "of the plan" : "of the drilled well");
     else if (kinds_.size() == 1 && path_in(kinds_[0]) == other)
       survey_.remarks.push_back("all stations are marked " + shown_mark(kinds_[0]) + " by " + quoted_text(name_) +
                                 ": they are read as the " + (format_.plan ? "plan" : "survey"));
@@ -128,7 +128,7 @@ private:
       const bool is_clear = above != SurveyPath::planned && !(format_.plan && !any(SurveyPath::planned));
       if (cell.empty() && !is_clear)
         return problems_.add_at(row.line, name_,
-                                "has no mark, others are marked planned or actual: of which path the station is, is not known, "
+                                "has no mark, others are marked planned or actual: it is not known which of both the station is, "
                                 "needed: a mark in every row");
       if (!cell.empty()) above = path_in(cell);
     }

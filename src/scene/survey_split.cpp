@@ -68,7 +68,7 @@ bool is_blank(char c)
   return std::string_view(blanks).find(c) != std::string_view::npos;
 }
 
-// texts parted by so many blanks or more
+// texts separated by this number of blanks or more
 std::vector<Placed> placed_texts(const std::string& line, long apart)
 {
   std::vector<Placed> found;

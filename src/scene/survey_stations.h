@@ -11,7 +11,7 @@
 namespace drill_rig_sim
 {
 /// The stations of a survey's rows, checked (survey_problems()). `pass_over`: stations without a value and those that equal the
-/// one before are left out, and a missing azimuth of a vertical station is 0; remarks say so. `tie_in` goes before that of the
+/// one before are left out, and a missing azimuth of a vertical station is 0; remarks report it. `tie_in` goes before that of the
 /// rows. What is wrong goes to `problems`.
 SurveyTable stations_of(const SurveyRows& survey, bool pass_over, const std::optional<TieIn>& tie_in, Problems& problems);
 

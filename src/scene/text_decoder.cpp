@@ -132,7 +132,8 @@ DecodedText decode_text(std::string bytes)
 {
   const std::string other = other_kind(bytes);
   DecodedText decoded = characters_of(std::move(bytes));
-  if (!other.empty()) decoded.wrong = "is " + other + ", needed: a text file, for example a spreadsheet saved as CSV";
+  if (!other.empty())
+    decoded.wrong = "is " + other + ", needed: a text file, for example its table saved as CSV or copied into a text file";
   const std::size_t nul = decoded.text.find('\0');
   if (!decoded.wrong.empty() || nul == std::string::npos) return decoded;
   decoded.wrong = "contains a NUL byte, needed: text in UTF-8, in UTF-16 with a byte order mark, or in latin-1";

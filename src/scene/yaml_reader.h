@@ -18,7 +18,7 @@ namespace drill_rig_sim
 {
 /// Line of a node, counted from 1.
 int line_of(const YAML::Node& node);
-/// What a node is, for messages: "text", "a list", "a block", "nothing". What it holds is not told: the file may be a wrong one.
+/// What a node is, for messages: "text", "a list", "a block", "nothing". Its content is not shown: the file may be a wrong one.
 std::string describe(const YAML::Node& node);
 
 /// One value out of a scalar; the value stays (false, and a problem noted) if it is no such value or out of range. A number may
@@ -35,7 +35,7 @@ void read_flag(const YAML::Node& node, const std::string& path, double& value, P
 void read_count_or_fill(const YAML::Node& node, const std::string& path, const Range& allowed, int& value, Problems& problems);
 
 /// The entries of a block by key, each key noted with its line; problems for duplicates, keys that are no text and unknown keys
-/// (`known` lists the allowed ones). Empty if the node is no block.
+/// (`known` lists the allowed ones). Empty if the node is not a section.
 std::map<std::string, YAML::Node> read_entries(const YAML::Node& node, const std::string& path,
                                                const std::vector<const char*>& known, Problems& problems);
 

@@ -34,6 +34,13 @@ double shorter(double length)
   return std::floor(0.9 * length / unit) * unit;
 }
 
+/// To two digits.
+double rounded_up(double number)
+{
+  const double unit = std::pow(10.0, std::floor(std::log10(number)) - 1.0);
+  return std::ceil(number / unit) * unit;
+}
+
 /// Of the needs that a level may leave out.
 std::string words_of(unsigned needs)
 {
@@ -84,26 +91,32 @@ std::string text_of(const AccuracyReport& r)
     case AccuracyDoubt::measured:
       return text(
           "%s: measured error %s of its range so far, over 3 s; over 30 s %s in the average, %s in the deviation, %s in the "
-          "extremes; numerics.tolerance is %.3g %%. Use only what is within it, or double numerics.refinement (1 unless set)",
+          "extremes; numerics.tolerance is %.3g %%. Use only averages that are accurate enough, or double numerics.refinement "
+          "(default: 1)",
           traits_of(r.output).words, share_text(r.measure).c_str(), share_text(r.statistics.mean).c_str(),
           share_text(r.statistics.deviation).c_str(), share_text(r.statistics.extremes).c_str(), 100.0 * r.allowed);
     case AccuracyDoubt::confined:
       return text(
-          "guided pipe %.4g m above the bit carries %.2f times its critical buckling load; use numerics.level: beam3d, or hybrid "
-          "with numerics.free_length beyond it",
-          r.from_bit, r.measure);
+          "guided pipe %.4g m above the bit carries %.2f times its critical buckling load, but does not bend: drag and torque "
+          "are "
+          "too low; use numerics.level: beam3d, or hybrid with numerics.free_length above %.4g",
+          r.from_bit, r.measure, r.from_bit);
     case AccuracyDoubt::compression:
       return text(
-          "an element of %.3g m, %.4g m above the bit, carries %.2f times the compression that it can represent; use "
-          "numerics.element_length: %.2g or less",
+          "an element of %.3g m, %.4g m above the bit, carries %.2f times the compression that it can represent: its bending "
+          "is uncertain; use numerics.element_length: %.2g or less",
           r.element_length, r.from_bit, r.measure, shorter(r.element_length / std::sqrt(r.measure)));
     case AccuracyDoubt::twist:
-      return text("an element of %.3g m, %.4g m above the bit, is twisted by %.2f rad; use numerics.element_length: %.2g or less",
-                  r.element_length, r.from_bit, r.measure, shorter(r.element_length / r.measure));
+      return text(
+          "an element of %.3g m, %.4g m above the bit, is twisted by %.2f rad, more than 1: its torque is uncertain; use "
+          "numerics.element_length: %.2g or less",
+          r.element_length, r.from_bit, r.measure, shorter(r.element_length / r.measure));
     case AccuracyDoubt::embedding:
       return text(
-          "%.4g m above the bit the string is %.2g mm deep in the wall, more than its clearance; use a larger contact.stiffness",
-          r.from_bit, 1e3 * r.measure);
+          "%.4g m above the bit the string is %.3g mm deep in the wall, more than its clearance: side forces are too small "
+          "there; "
+          "use contact.stiffness: %.2g or more, in that part if it has its own contact",
+          r.from_bit, 1e3 * r.measure, rounded_up(r.allowed));
     case AccuracyDoubt::level:
       return "numerics.level does not represent " + words_of(static_cast<unsigned>(r.measure)) +
              " (guided pipe has no bending, rigid pipe no waves); use hybrid or beam3d, or remove this from needs";

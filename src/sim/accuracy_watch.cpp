@@ -17,7 +17,17 @@ constexpr double stays = 10.0;            // [s]
 constexpr double most_confined = 0.8;     // of the critical buckling load
 constexpr double most_twist = 1.0;        // [rad]
 constexpr double least_clearance = 2e-3;  // [m]
+constexpr double stiffer_load = 1.5;      // force on a stiffer wall under pipe, over that on the soft one: a margin
 constexpr double most_slant = 10.0 * degree;
+
+/// By F = k d^e, with the depth d of the warning's limit. A stiff body in a narrow hole presses harder the less the wall gives
+/// way: it needs the wall of gauge and blades [N/m^e].
+double stiff_enough(const Scene& scene, const MeshNode& node, double force, double clearance)
+{
+  const double by_force = stiffer_load * force / std::pow(std::max(clearance, least_clearance), node.contact.exponent);
+  const bool is_slender = scene.string[static_cast<std::size_t>(node.part)].type == PartType::pipe;
+  return is_slender ? by_force : std::max(by_force, scene.contact.assembly_stiffness);
+}
 }  // namespace
 
 void watch_model(const Model& model, const State& state, const RigForces& forces, double duration,
@@ -61,10 +71,10 @@ AccuracyReport doubt_of_string(const Model& model, const State& state, const Rig
 {
   AccuracyReport report;
   const Mesh& mesh = model.mesh();
-  const auto take = [&report](AccuracyDoubt doubt, double measure, double from_bit, double length)
+  const auto take = [&report](AccuracyDoubt doubt, double measure, double from_bit, double length, double allowed = 0.0)
   {
     const bool before = report.doubt == AccuracyDoubt::none || doubt < report.doubt;
-    if (before || (doubt == report.doubt && measure > report.measure)) report = {doubt, measure, from_bit, length, 0.0};
+    if (before || (doubt == report.doubt && measure > report.measure)) report = {doubt, measure, from_bit, length, allowed};
   };
   for (std::size_t e = 0; e < mesh.elements.size(); ++e)
   {
@@ -85,8 +95,9 @@ AccuracyReport doubt_of_string(const Model& model, const State& state, const Rig
     if (force <= elastic_force(node.contact, least_clearance)) continue;
     const double depth = std::pow(force / node.contact.stiffness, 1.0 / node.contact.exponent);
     const NodeState& at = state.nodes[static_cast<std::size_t>(i)];
-    if (depth > state.well.radius_near(at.position, at.segment) - node.contact_radius)
-      take(AccuracyDoubt::embedding, depth, node.from_bit, 0.0);
+    const double clearance = state.well.radius_near(at.position, at.segment) - node.contact_radius;
+    if (depth > clearance)
+      take(AccuracyDoubt::embedding, depth, node.from_bit, 0.0, stiff_enough(model.scene(), node, force, clearance));
   }
   return report;
 }

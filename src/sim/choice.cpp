@@ -32,7 +32,7 @@ Choice choose_level(const Scene& scene)
     return {Level::axial_torsional, "within " + percent(tolerance) + " bending is not needed"};
   if (tolerance >= wide_tolerance)
     return {Level::hybrid, "within " + percent(tolerance) + " bending is needed only near the bit"};
-  if (in_the_middle) return {Level::hybrid, "the string hangs: above the bottom-hole assembly it does not bend"};
+  if (in_the_middle) return {Level::hybrid, "the string hangs, and does not bend above the bottom-hole assembly"};
   if (tolerance >= middle_tolerance && !(scene.needs & (bending | turning)))
     return {Level::hybrid, "within " + percent(tolerance) + " neither bending nor torque and bit speed are needed"};
   return {Level::beam3d, "torque, bit speed or bending are needed within " + percent(tolerance) + " where pipe lies on its wall"};

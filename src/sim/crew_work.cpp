@@ -15,7 +15,7 @@ namespace
 constexpr double lifting_speed = 0.2;    // [m/s]
 constexpr double lowering_speed = 0.1;   // [m/s]
 constexpr double slacking_speed = 0.01;  // [m/s]
-constexpr double slowest = 5e-4;         // of it when the slips bear hardly anything [m/s]
+constexpr double slowest = 5e-4;         // of it when the slips carry hardly anything [m/s]
 constexpr double by_load = 5e-7;         // of the block's speed by what the hook carries too much [m/s/N]
 constexpr double share_in_a_frame =
     0.5;  // of what the hook carries too much that is taken off in one frame at most: by twice that the block would swing

@@ -129,7 +129,7 @@ const char* PipeHandling::why_no_connection(int joints, bool remove) const noexc
   if (motion_.shown_forces().hook_load < most_rest_load)
     return "connection: the block rests on the pipe, allowed: only on its lines, pick up first";
   if (remove && count >= joints_below_stump(motion_.model()->mesh(), scene_))
-    return "connection: the string does not have as many joints";
+    return "connection: the string has fewer joints than are to be removed";
   const double height = block_height(now) + length_of(joints, remove);
   if (height > hoisting.highest_block_height) return "connection: the block would rise above highest_block_height";
   return height < hoisting.lowest_block_height ? "connection: the block would go below lowest_block_height" : nullptr;

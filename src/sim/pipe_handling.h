@@ -32,7 +32,7 @@ public:
   /// Of the pipe above the slips on what they hold [N]. The slips are set.
   double rest_load() const noexcept;
 
-  /// Of so many joints, 0: of a stand; < 0: to take away [m].
+  /// Of this number of joints, 0: of a stand; < 0: to take away [m].
   double length_of(int joints, bool remove) const noexcept;
   /// Why pipe of such a length cannot be added or taken away now.
   const char* why_no_connection(int joints, bool remove) const noexcept;

@@ -239,7 +239,7 @@ void fill_profile(const Model& model, const State& s, const RigForces& forces, S
 
 namespace
 {
-/// Loads and doubts only, where there is no equilibrium.
+/// Only loads and warnings, where there is no equilibrium.
 StaticReport report_on(const Scene& scene, const SlidingMotion& sliding, double first_share, StaticWork& work)
 {
   RigAtRest rig = build_at_rest(scene);

@@ -273,7 +273,7 @@ const char* Simulator::set_slips_for(int joints, bool remove)
 {
   if (impl_->crew.is_busy()) return "slips: the crew is making a connection";
   const int joint = impl_->rig.pipe.joint_for(joints, remove);
-  const char* refused = joint < 0 ? "slips: the string does not have as many joints" : impl_->actions.set_slips(joint);
+  const char* refused = joint < 0 ? "slips: the string has fewer joints than that" : impl_->actions.set_slips(joint);
   impl_->rig.measurement.show_pipe_handling();
   return refused;
 }

@@ -22,7 +22,7 @@ void take(double share, double from_bit, LoadShare& most) noexcept
   if (share > most.share) most = {share, from_bit};
 }
 
-/// Below the rotary table; of a string that may not be full as if it were empty, when it bears least.
+/// Below the rotary table; of a string that may not be full as if it were empty, when its limit is least.
 double vertical_buckling_load(const Model& model, std::size_t e) noexcept
 {
   const BeamSection& section = model.mesh().elements[e].section;

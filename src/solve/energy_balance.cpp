@@ -89,7 +89,8 @@ void EnergyBalance::begin_accounts() noexcept
 }
 
 /// What the beams lost between the steps for another reason than the pump's pressure: guided pipe changes the side on which it
-/// lies, and kinds of nodes change. Their energy at the pressures of the step before tells it from what the pressure does.
+/// lies, and kinds of nodes change. Their energy at the pressures of the step before distinguishes it from what the pressure
+/// does.
 void EnergyBalance::find_reshaped(const State& state) noexcept
 {
   reshaped_ = 0.0;

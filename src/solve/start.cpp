@@ -175,11 +175,12 @@ void find_equilibrium(const Scene& scene, const Wellbore& well, double depth, co
   if (rig.statics.converged) return;
   std::ostringstream message;
   if (work >= kMostWork)
-    message << "no static equilibrium found within the allowed work of " << kMostWork
-            << " iterations times nodes; use a larger numerics.element_length";
+    message << "no static equilibrium found with " << rig.model->nodes() << " nodes within the allowed number of iterations, "
+            << kMostWork / rig.model->nodes() << "; use a larger numerics.element_length";
   else
     message << "no static equilibrium found for the string at bit depth " << depth << " m (residual " << rig.statics.residual
-            << " N after " << rig.statics.iterations << " iterations)";
+            << " N after " << rig.statics.iterations
+            << " iterations); use a smaller weight_on_bit, or a string that fits its hole";
   fail(message.str());
 }
 
@@ -304,9 +305,11 @@ void turn(double toolface, int round, const StartErrors& errors, Guess& guess) n
 [[noreturn]] void refuse(const StartErrors& errors, bool on_bottom)
 {
   std::ostringstream message;
-  message << "no static equilibrium found with the scene's " << (on_bottom ? "weight_on_bit" : "bit_depth")
-          << " and toolface: off by " << errors.length << " m of string and " << errors.toolface / degree << " deg";
-  if (!errors.is_free()) message << ", with the bend held by " << errors.holding_torque << " N m";
+  message << "no static equilibrium found with start." << (on_bottom ? "weight_on_bit" : "bit_depth")
+          << " and start.toolface_deg: the nearest is off by " << errors.length << " m of string and " << errors.toolface / degree
+          << " deg of toolface";
+  if (!errors.is_free()) message << ", and needs " << errors.holding_torque << " N m that hold the bend";
+  message << "; use another toolface or depth";
   fail(message.str());
 }
 }  // namespace

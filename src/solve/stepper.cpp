@@ -119,7 +119,7 @@ bool Stepper::advance_by_control(State& state, double duration, const Setpoints&
   return true;
 }
 
-/// The local error of the step just solved, as the distance to the extrapolation tells it, goes into guess_.
+/// The local error of the step just solved, estimated by the distance to the extrapolation, goes into guess_.
 double Stepper::find_stretch(const State& state, double step) noexcept
 {
   const double share = method_.share_of_distance(state.memory.last_step > 0.0 ? step / state.memory.last_step : 0.0);

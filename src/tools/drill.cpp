@@ -65,7 +65,8 @@ int play(int argc, char** argv)
       drill_rig_sim::add_web_command(drill),     drill_rig_sim::add_fmu_command(drill),
       drill_rig_sim::add_live_command(drill)};
   drill.footer(
-      "drill COMMAND --help lists a command's options. Exit status: 0 success, 1 not as asked (score, verify), 2 bad input, 3 "
+      "drill COMMAND --help lists a command's options. Exit status: 0 success, 1 verify found a run wrong without a warning, 2 "
+      "bad input, 3 "
       "the computation failed.");
   try
   {

@@ -8,6 +8,22 @@
 
 namespace drill_rig_sim
 {
+namespace
+{
+void add_to(std::deque<Averages>& slices, const Truth& m, double length)
+{
+  if (slices.empty() || m.time >= slices.back().first_time() + length) slices.emplace_back();
+  slices.back().add(m);
+}
+
+Averages sum_of(const std::deque<Averages>& slices)
+{
+  Averages sum;
+  for (const Averages& slice : slices) sum.add(slice);
+  return sum;
+}
+}  // namespace
+
 double Averages::count() const noexcept
 {
   return samples_ > 0 ? static_cast<double>(samples_) : std::numeric_limits<double>::quiet_NaN();
@@ -58,16 +74,12 @@ double Averages::azimuth() const noexcept
 
 void DrillingRecord::add(const Truth& m)
 {
-  if (!m.on_bottom) return;
-  if (slices_.empty() || m.time >= slices_.back().first_time() + slice_length) slices_.emplace_back();
-  slices_.back().add(m);
+  if (m.on_bottom) add_to(slices_, m, slice_length);
 }
 
 Averages DrillingRecord::all() const
 {
-  Averages sum;
-  for (const Averages& slice : slices_) sum.add(slice);
-  return sum;
+  return sum_of(slices_);
 }
 
 Averages DrillingRecord::last_quarter() const
@@ -76,6 +88,17 @@ Averages DrillingRecord::last_quarter() const
   const std::size_t quarter = (slices_.size() + 3) / 4;
   for (std::size_t i = slices_.size() - quarter; i < slices_.size(); ++i) sum.add(slices_[i]);
   return sum;
+}
+
+void LatestRecord::add(const Truth& m)
+{
+  add_to(slices_, m, slice_length);
+  if (slices_.size() > most_slices) slices_.pop_front();
+}
+
+Averages LatestRecord::all() const
+{
+  return sum_of(slices_);
 }
 
 }  // namespace drill_rig_sim

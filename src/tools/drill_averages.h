@@ -64,6 +64,19 @@ private:
   std::deque<Averages> slices_;
 };
 
+/// Averages of the last 10 s, whether the bit is on bottom or not.
+class LatestRecord
+{
+public:
+  void add(const Truth& m);
+  Averages all() const;
+
+private:
+  static constexpr double slice_length = 1.0;  // [s]
+  static constexpr std::size_t most_slices = 10;
+  std::deque<Averages> slices_;
+};
+
 }  // namespace drill_rig_sim
 
 #endif

@@ -21,6 +21,7 @@
 #include "drill_command.h"
 #include "drill_feed.h"
 #include "drill_losses.h"
+#include "drill_margins.h"
 #include "drill_options.h"
 #include "drill_program.h"
 #include "drill_scene.h"
@@ -117,10 +118,12 @@ void print_tuned_drive(const Scene& scene, const Mesh& mesh, const Printed& prin
   const auto damping = [&](double si) { return printed(si, Dimension::torsional_damping, {"%.3g", "N m s/rad"}); };
   const TopDriveSpec drive = tuned(scene.rig.top_drive, mesh);
   const DriveImpedance &soft = drive.soft_torque, &z = drive.z_torque;
-  std::printf("top drive   pipe of %s, slowest torsion %.3f Hz: SOFT_TORQUE P %s, I %s; Z_TORQUE P %s, I %s\n",
-              printed(torsional_impedance(mesh), Dimension::torsional_damping, {"%.0f", "N m s/rad"}).c_str(),
-              slowest_torsion(mesh) / (2.0 * pi), damping(soft.damping).c_str(), stiffness(soft.stiffness).c_str(),
-              damping(z.damping).c_str(), stiffness(z.stiffness).c_str());
+  std::printf(
+      "top drive   torsional impedance of the pipe %s, lowest torsional frequency %.3f Hz: SOFT_TORQUE P %s, I %s; Z_TORQUE P "
+      "%s, I %s\n",
+      printed(torsional_impedance(mesh), Dimension::torsional_damping, {"%.0f", "N m s/rad"}).c_str(),
+      slowest_torsion(mesh) / (2.0 * pi), damping(soft.damping).c_str(), stiffness(soft.stiffness).c_str(),
+      damping(z.damping).c_str(), stiffness(z.stiffness).c_str());
 }
 
 void print_heave(const HeaveSpec& heave, const Printed& printed)
@@ -157,7 +160,7 @@ void print_new_hole(const Scene& scene, double bottom_tvd, const Printed& printe
     const bool last = i + 1 == rock.size();
     if (!last && rock[i].to_tvd <= bottom_tvd) continue;
     if (std::isnan(rock[i].friction))
-      std::printf(" its section's");
+      std::printf(" that of its section");
     else
       std::printf(" %g", rock[i].friction);
     if (!last) std::printf(" to %s TVD,", printed(rock[i].to_tvd, Dimension::length, depth).c_str());
@@ -195,22 +198,26 @@ bool print_wall_loss(const Scene& scene, const RigAtRest& rig, const Printed& pr
 {
   const std::optional<WallLoss> loss = wall_loss(rig);
   if (!loss) return false;
-  const char* part = scene.string[static_cast<std::size_t>(loss->part)].name.c_str();
-  std::printf("wall        %s is %s deep in the wall %s above the bit; ", part,
+  std::printf("wall        %s is %s deep in the wall %s above the bit: side forces are too small; ",
+              scene.string[static_cast<std::size_t>(loss->part)].name.c_str(),
               printed(loss->depth, Dimension::diameter, {"%.2g", "mm", 1e3}).c_str(),
               printed(loss->from_bit, Dimension::length, {"%.3g", "m"}).c_str());
   const auto instead_of = [&](double right, double now)
   {
-    return printed(right, Dimension::force, tenth_kilonewton) + ", not " +
+    return printed(right, Dimension::force, tenth_kilonewton) + " instead of " +
            printed.number(now, Dimension::force, tenth_kilonewton);
   };
   if (loss->known)
-    std::printf("with the wall stiffness of gauge and blades (%g N/m^e) the bit's side force would be %s, all contact forces %s",
-                scene.contact.assembly_stiffness, instead_of(loss->stiff_side_force, loss->side_force).c_str(),
-                instead_of(loss->stiff_contact, loss->contact).c_str());
+    std::printf(
+        "use contact: {stiffness: %g} in all parts but bit and pipe, then the bit's side force is %s, the sum of all wall "
+        "forces %s\n",
+        scene.contact.assembly_stiffness, instead_of(loss->stiff_side_force, loss->side_force).c_str(),
+        instead_of(loss->stiff_contact, loss->contact).c_str());
   else
-    std::printf("the error of its side forces is not known, because a stiffer wall has no equilibrium");
-  std::printf("; use a stiffer `contact` for %s\n", part);
+    std::printf(
+        "by how much is not known, because contact: {stiffness: %g} in all parts but bit and pipe has no equilibrium; use a "
+        "thinner body or a smaller bend\n",
+        scene.contact.assembly_stiffness);
   return true;
 }
 
@@ -244,6 +251,7 @@ void print_shortcomings(const Scene& scene, const Printed& printed)
   }
   if (scene.string.front().bit->gauge_length > 0.0 && print_wedged_gauge(scene, rig, printed)) see("theory/bit.md");
   if (print_wall_loss(scene, rig, printed)) see("theory/wall.md");
+  print_margins(rig, printed);
   for (const std::string& page : pages) std::printf("manual      src/manual/%s\n", page.c_str());
 }
 
@@ -251,9 +259,11 @@ void print_shortcomings(const Scene& scene, const Printed& printed)
 void print_choice(const Simulator& simulator)
 {
   const NumericsSpec& chosen = simulator.scene().numerics;
-  std::printf("choice      %s: numerics {level: %s, step: %g, pushed_element_length: %g, guided_element_length: %g}\n",
-              simulator.choice().c_str(), simulator.statistics().level, chosen.step, chosen.pushed_element_length,
-              chosen.guided_element_length);
+  std::printf("choice      level: auto chose %s: %s\n", simulator.statistics().level, simulator.choice().c_str());
+  std::printf("            the same by hand: numerics: {level: %s, step: %g", simulator.statistics().level, chosen.step);
+  if (chosen.pushed_element_length > 0.0) std::printf(", pushed_element_length: %g", chosen.pushed_element_length);
+  if (chosen.guided_element_length > 0.0) std::printf(", guided_element_length: %g", chosen.guided_element_length);
+  std::printf("}\n");
 }
 
 /// Which key decides how long the elements are.
@@ -299,7 +309,7 @@ void print_well(const Scene& scene, const Simulator& simulator, const Printed& p
   print_sharpest_bend(Survey(scene.well.survey), printed);
   print_new_hole(scene, -simulator.wellbore().bottom_position().z(), printed);
   print_string(scene, printed);
-  std::printf("start       bit at %s, block at %s, hook load %s, of it the string %s\n",
+  std::printf("start       bit at %s, block at %s, hook load %s, of which the string %s\n",
               printed(m.bit_depth, Dimension::length, {"%.3f", "m"}).c_str(),
               printed(m.block_height, Dimension::length, {"%.2f", "m"}).c_str(),
               printed(m.hook_load, Dimension::force, tenth_kilonewton).c_str(),

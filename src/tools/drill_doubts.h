@@ -8,7 +8,7 @@
 
 namespace drill_rig_sim
 {
-/// Why a run's numbers may be wrong: of each kind of doubt when it was first raised, when it last stood, and its largest.
+/// Why a run's numbers may be wrong: of each kind of warning its first time, its last time, and its largest value.
 class Doubts
 {
 public:

@@ -19,7 +19,7 @@ std::string without_json(const std::string& name)
   return ends ? name.substr(0, name.size() - 5) : name;
 }
 
-/// Where the last good state is, or why it is nowhere: the failure itself is told either way.
+/// Where the last good state is, or why it is nowhere: the failure itself is reported in any case.
 std::string keep_last_state(const Simulator& simulator, const std::string& summary, const std::string& json_name)
 try
 {

@@ -33,13 +33,13 @@ std::size_t first_such(const Verification& verification)
 
 void print_findings(const Verification& verification, const Printed& printed)
 {
-  std::printf("%-20s %14s %14s %12s %9s %10s\n", "output", "mean", "of the finest", "worst 3 s", "at", "known to");
+  std::printf("%-20s %14s %14s %12s %9s %12s\n", "output", "mean", "finest mean", "worst 3 s", "at", "finest error");
   for (std::size_t i = 0; i < output_count; ++i)
   {
     const Output output = static_cast<Output>(i);
     const Verification::Finding found = verification.finding(output);
     const auto value = [&](double si) { return printed(si, shown[i].dimension, shown[i].si); };
-    std::printf("%-20s %14s %14s %10.2f %% %7.0f s %8.2f %%%s\n", traits_of(output).name, value(found.mean).c_str(),
+    std::printf("%-20s %14s %14s %10.2f %% %7.0f s %10.2f %%%s\n", traits_of(output).name, value(found.mean).c_str(),
                 value(found.finest_mean).c_str(), 100.0 * found.worst, found.worst_until, 100.0 * found.own,
                 verification.needed(output) ? "" : "  (not in needs)");
   }

@@ -37,7 +37,7 @@ void live(const LiveOptions& options)
 Command add_live_command(CLI::App& drill)
 {
   CLI::App* words = drill.add_subcommand(
-      "live", "drives a simulation with a rig's WITS level 0 stream or a bag and shows measured less simulated");
+      "live", "drives a simulation with a rig's WITS level 0 stream or a bag and shows measured minus simulated");
   const auto options = std::make_shared<LiveOptions>();
   add_file(*words, "FEED", options->feed, "HOST:PORT of a WITS level 0 server, or a bag with rig_state");
   add_file(*words, "SCENE", options->scene, "the scene's file; its start is where the feed begins");

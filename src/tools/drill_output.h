@@ -28,14 +28,14 @@ void close_output(File file, const std::string& name);
 /// A comma and a number; the comma only where the number is not finite: nothing was measured, or it has no zero yet.
 void write_cell(std::FILE* file, int digits, double value);
 
-/// Forces along the string: the columns of `drill static --csv`, angles in degrees where a column says so.
+/// Forces along the string: the columns of `drill static --csv`, angles in degrees where the name of a column does.
 void write_profile(std::FILE* file, const StringProfile& p);
 /// The same at several times: the columns of write_profile() with the simulated time [s] before them.
 void write_profile_series_header(std::FILE* file);
 void write_profile_series_rows(std::FILE* file, double time, const StringProfile& p);
 
 /// The run's CSV: SI units, radians. By hand, as all tables here: their cells are numbers, so that nothing needs quoting, and
-/// each column has its own number of digits. `with_errors`: and what the companion (numerics.companion) tells: the errors
+/// each column has its own number of digits. `with_errors`: and what the companion (numerics.companion) measures: the errors
 /// measured beside it, error_hook_load and so on, as shares, and its own truth, companion_hook_load and so on.
 void write_csv_header(std::FILE* file, bool with_readings, bool with_errors = false);
 /// `readings`, `measured` (whose errors and companion): null where the header has none. Surface WOB and differential pressure are

@@ -50,7 +50,7 @@ double done(const Truth& m, double start_depth, const RunGoal& goal, const Opera
   return std::max({m.time / goal.duration, drilled, operations});
 }
 
-/// What is written in the course of a run. All files are opened ahead, so that a long run does not end on a misspelt folder.
+/// What is written during a run. All files are opened ahead, so that a long run does not end on a misspelt folder.
 struct Series
 {
   Series(const RunOptions& o, const Scene& scene)
@@ -99,6 +99,7 @@ RunEnd play(Simulator& simulator, const RunGoal& goal, Series& series, RunRecord
                          [&](const Truth& m)
                          {
                            record.drilling.add(m);
+                           record.latest.add(m);
                            record.doubts.add(m.time, simulator.statistics().accuracy);
                            record.errors.add(simulator);
                            record.limits.add(m, simulator.statistics().loads, simulator.scene().rig.hoisting.max_hook_load);

@@ -20,7 +20,7 @@ namespace drill_rig_sim
 /// Of a run's frames, rounded to whole steps: as the node's default, simulated [s].
 constexpr double frame_length = 0.01;
 
-/// What `drill run` is told. Names of files are empty where nothing is to be written.
+/// The options of `drill run`. Names of files are empty where nothing is to be written.
 struct RunOptions
 {
   std::string scene;

@@ -59,7 +59,7 @@ private:
   bool with_readings_, with_errors_;
 };
 
-/// The forces along the string in the course of a run, a row per node every so often. One without a file writes nothing.
+/// The forces along the string during a run, a row per node every so often. One without a file writes nothing.
 class ProfileSeries
 {
 public:
@@ -75,8 +75,8 @@ private:
   StringProfile profile_;
 };
 
-/// The history of what was modelled in the course of a run: a row where nodes became free or guided, where steps became twice as
-/// long or half, and where a doubt of the accuracy came or went; the first says what level auto has chosen. One without a file
+/// The history of what was modelled during a run: a row where nodes became free or guided, where steps became twice as
+/// long or half, and where an accuracy warning began or ended; the first says what level auto has chosen. One without a file
 /// writes nothing.
 class ChoiceSeries
 {

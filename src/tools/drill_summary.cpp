@@ -312,9 +312,11 @@ void print_summary(const Simulator& simulator, const Elapsed& elapsed, const Run
   const Averages mean = record.drilling.last_quarter();
   if (mean.samples() == 0)
   {
-    std::printf("the bit was not on bottom; hook load %s, torque %s\n",
-                printed(m.hook_load, Dimension::force, kilonewton).c_str(),
-                printed(m.torque, Dimension::torque, kilonewton_metre).c_str());
+    const Averages latest = record.latest.all();
+    if (latest.samples() == 0) return;
+    std::printf("the bit was never on bottom; mean of %.0f to %.0f s: hook load %s, torque %s\n", latest.first_time(),
+                latest.last_time(), printed(latest.hook_load(), Dimension::force, kilonewton).c_str(),
+                printed(latest.torque(), Dimension::torque, kilonewton_metre).c_str());
     return;
   }
   std::printf("drilling, mean of its last quarter, %.0f to %.0f s: hook load %s, torque %s, WOB %s, ROP %s, bit %s\n",

@@ -27,6 +27,7 @@ struct Elapsed
 struct RunRecord
 {
   DrillingRecord drilling;
+  LatestRecord latest;
   Doubts doubts;
   Limits limits;
   LargestErrors errors;
@@ -39,8 +40,8 @@ struct RunRecord
 /// `readings`: it also says what the instruments show at the end.
 std::string json_summary(const Simulator& simulator, const Elapsed& elapsed, const RunRecord& record, bool readings);
 
-/// The same in two lines on standard output, and a line for each doubt, each limit that was passed and each operation whose speed
-/// limited the weight on bit. Texts of warnings stay in SI.
+/// The same in two lines on standard output, and a line for each warning, each limit that was passed and each operation whose
+/// speed limited the weight on bit. Texts of warnings stay in SI.
 void print_summary(const Simulator& simulator, const Elapsed& elapsed, const RunRecord& record, const Printed& printed);
 
 }  // namespace drill_rig_sim

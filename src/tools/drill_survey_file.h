@@ -8,7 +8,7 @@
 
 namespace drill_rig_sim
 {
-/// How a survey's file is to be read, where its header does not tell (survey_format()).
+/// How a survey's file is to be read, where its header does not define it (survey_format()).
 struct SurveyFileOptions
 {
   std::string columns;

@@ -121,8 +121,8 @@ void require_score(const VerifyOptions& options)
 
 void print(const Simulator& simulator, const VerifyOptions& options, const FinerPair& pair)
 {
-  std::printf("%s: %.1f s beside free nodes with elements and steps %g and %g times as short\n", simulator.scene().name.c_str(),
-              simulator.truth().time, pair.times(), pair.times() * pair.times());
+  std::printf("%s: %.1f s compared with two finer models (beam3d, elements and steps %g and %g times shorter)\n",
+              simulator.scene().name.c_str(), simulator.truth().time, pair.times(), pair.times() * pair.times());
   print_findings(pair.findings(), Printed(options.units));
   print_verdict(pair.findings(), simulator.scene().numerics.tolerance);
 }

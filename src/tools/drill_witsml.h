@@ -11,7 +11,7 @@
 
 namespace drill_rig_sim
 {
-/// What the gauges show in the course of a run, as a log of WITSML 1.4.1.1 (Energistics, obj_log.xsd) by date and time. Curves by
+/// What the gauges show during a run, as a log of WITSML 1.4.1.1 (Energistics, obj_log.xsd) by date and time. Curves by
 /// the names and units that the field uses: BITDEP and DMEA [m], BLOCKCOMP [m], HKLD and WOB [kN], TORQUE [kN.m], SURF_RPM [rpm],
 /// ROP [m/h], FLOWIN [L/min], SPP [kPa], DIFP [kPa].
 class WitsmlSeries

@@ -148,7 +148,7 @@ def rms(values):
 
 
 def judge(model, pipe, field):
-    """What is told of a model: calibrated on the upper half, and for comparison on all depths."""
+    """What is reported of a model: calibrated on the upper half, and for comparison on all depths."""
     upper, lower = slice(0, field.half), slice(field.half, None)
     tare, friction, errors = calibrate(lambda f: model.loads(field.depths[upper], f), field.measured[upper])
     loads = model.loads(field.depths, friction) + tare

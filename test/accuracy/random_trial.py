@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Scenes drawn at random (random_scenes.py), each played beside two finer models of it by `drill verify`: is it right, and does it warn?
+"""Scenes drawn at random (random_scenes.py), each played together with two finer models of it by `drill verify`: is it right, and does it warn?
 
 - right: no three seconds of an output that is needed are further off than the tolerance; also: how many of these stand under a warning
 - warned: some are, and a warning had begun by the end of the first of them

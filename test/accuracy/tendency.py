@@ -35,7 +35,7 @@ def drilled(drill, scene, settings, place, reuse):
 
 
 def cells(job):
-    """What is told of a run: turn of the path, means and standard deviations while drilling."""
+    """What is reported of a run: turn of the path, means and standard deviations while drilling."""
     if job is None:
         return ['the run failed'] + [''] * (len(HEAD) - 2)
     late = job.series['time'] > job.series['time'][-1] - 0.75 * (job.series['time'][-1] - 250.0)

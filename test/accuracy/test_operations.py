@@ -190,7 +190,7 @@ class Energy(unittest.TestCase):
 
     def test_a_right_run_that_leaks_does_not_hold(self):
         verdict = judged(series())
-        self.assertTrue(verdict.balances())  # nothing was booked
+        self.assertTrue(verdict.balances())  # nothing was counted
         self.assertTrue(report.holds([verdict], whole=False))
         verdict.closure, verdict.dissipation = matrix.shares_of_energy(self.ACCOUNTS)
         self.assertFalse(report.holds([verdict], whole=False))

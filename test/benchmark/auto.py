@@ -65,7 +65,7 @@ def means(found):
         if not of:
             continue
         judged = [row for row in of if row.judged]
-        lines.append('To %g %%: within it in %d of the %d scenes whose reference can tell; in geometric mean over all %.2f times the cheapest\'s work, %.2f times that of free nodes by 10 ms.'
+        lines.append('To %g %%: within it in %d of the %d scenes whose reference is accurate enough; in geometric mean over all %.2f times the cheapest\'s work, %.2f times that of free nodes by 10 ms.'
                      % (100.0 * tolerance, sum(row.within for row in judged), len(judged), *(verdict.geometric_mean(ratios) for ratios in ([row.over_cheapest for row in of], [row.over_fixed for row in of]))))
     return lines
 

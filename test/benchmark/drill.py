@@ -13,7 +13,7 @@ METHODS = ('bdf2', 'implicit_euler', 'linearly_implicit_euler', 'trbdf2', 'gener
 ELEMENTS = ('corotational', 'geometrically_exact', 'rotation_vector')
 
 
-WALL_PER_CPU = 4.0  # of a busy machine: a run that has not ended in so many times its CPU is ended
+WALL_PER_CPU = 4.0  # of a busy machine: a run that has not ended in this number of times its CPU is ended
 
 
 class Failed(Exception):

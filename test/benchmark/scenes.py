@@ -71,7 +71,7 @@ ALL = (
           reference_length=4.75, fingerprint_until=5.0,  # the bit lets go at 3.4 s
           largest_error=0.002, why_so_large='torsional waves are long and slow: mesh and step are fine for them'),
     Scene('tagging', 'bit bounce on tagging at 0.3 m/s', 3.0, trace_until=1.5, reference_length=4.75,
-          largest_error=0.006, why_so_large='steel hardly damps the waves of a blow, and the steps between blows blur them'),
+          largest_error=0.006, why_so_large='steel hardly damps the waves of an impact, and the steps between impacts blur them'),
     Scene('buckling', 'helical buckling under slack-off', 5.0, trace_until=2.0, lengths=(9.5, 4.75, 2.375),
           largest_error=0.04, why_so_large='half joints bend less easily than the helix of slim pipe; quarters are within the own error of the reference'),
     Scene('sliding', 'sliding with the bent motor', 15.0,

@@ -63,7 +63,7 @@ class Levels(unittest.TestCase):
         self.assertIs(auto.Row(star, grid).rival, hybrid)
         hybrid.errors = {'all': 0.11}
         self.assertAlmostEqual(auto.Row(star, grid).over_cheapest, 1.0)
-        self.assertIs(auto.Row(star, grid, floor=0.2).rival, hybrid)  # both are as near as the reference can tell
+        self.assertIs(auto.Row(star, grid, floor=0.2).rival, hybrid)  # both are as near as the reference can show
 
     def test_the_table_tells_each_scene_and_tolerance_and_what_failed(self):
         grid = self.computed()
@@ -73,7 +73,7 @@ class Levels(unittest.TestCase):
         said = auto.text(found).splitlines()
         self.assertIn('| 5 % | 10 % | yes | 1.00 |', said[2])
         self.assertIn('| 2 % | failed: no more |', said[3])
-        self.assertEqual(said[-3:], ['- To %s %%: within it in 0 of the 1 scenes whose reference can tell; in geometric mean over all 1.00 times the cheapest\'s work, '
+        self.assertEqual(said[-3:], ['- To %s %%: within it in 0 of the 1 scenes whose reference is accurate enough; in geometric mean over all 1.00 times the cheapest\'s work, '
                                      '1.00 times that of free nodes by 10 ms.' % tolerance for tolerance in ('5', '1', '0.2')])
 
     def test_a_scene_whose_reference_cannot_tell_is_not_judged(self):

@@ -122,7 +122,7 @@ audit: 1.0
         words = self.plan(self.BY_PROGRAM), "--results", self.place("r.sqlite"), "--workers", "1"
         status, out, told = parts.drill_campaign(*words)
         self.assertEqual(0, status, told)
-        self.assertIn("r.sqlite: 2 runs are audited, beside two finer models each, 2 to do\n", out)
+        self.assertIn("r.sqlite: 2 runs are audited with two finer models each, 2 to do\n", out)
         self.assertRegex(out, r"\n2 runs were audited: 2 [a-z ,]+\n$")
         status, again, _ = parts.drill_campaign(*words)
         self.assertNotIn("are audited", again)

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Campaigns on Dask, with two worker processes on localhost: the same results however many work and whoever is killed; Slurm by a stand-in."""
+"""Campaigns on Dask, with two worker processes on localhost: the same results with any number of workers and any of them killed; Slurm by a stand-in."""
 import importlib.util
 import os
 import re
@@ -166,7 +166,7 @@ class Campaigns(unittest.TestCase):
         self.run_to_its_end(self.plan(), "--workers", "1")
         self.assertEqual(before, self.csv("plan.csv"))
 
-    # --- who is killed
+    # --- killed workers
 
     def test_a_client_that_is_killed_loses_nothing(self):
         client = self.start(self.slow_plan(), "--workers", "2")
@@ -206,7 +206,7 @@ class Campaigns(unittest.TestCase):
         self.assertEqual([], [line for line in told.splitlines() if not re.match(r"\d+ of \d+ done, |drill_campaign: stopped: ", line)])
 
     def cluster(self):
-        """Scheduler and two workers, as anybody starts them; address and processes."""
+        """Scheduler and two workers, as by hand; address and processes."""
         with socket.socket() as free:
             free.bind(("127.0.0.1", 0))
             port = free.getsockname()[1]

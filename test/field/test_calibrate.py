@@ -178,7 +178,7 @@ class Records(unittest.TestCase):
         rows[:, 4] = 6.0 * rows[:, 4].mean() - 5.0 * rows[:, 4]
         made_record.write_record(self.folder, rows, 0)
         fit_file = made_record.write_fit(self.folder, signals=["hook_load"], parameters=[made_record.FIT["parameters"][0]])
-        self.assertRegex(calibrate(fit_file)[1], r"hook_load: is off by more than it varies in the record \(\S+ kN\): the scene does not do what the record shows")
+        self.assertRegex(calibrate(fit_file)[1], r"hook_load: the error of the fit is larger than the variation in the record \(\S+ kN\): the scene does not reproduce the record")
         made_record.write_record(self.folder, self.rows[:150], 0)
         self.assertNotIn("varies in the record", calibrate(fit_file)[1])
 

@@ -169,7 +169,7 @@ class Made(unittest.TestCase):
         moves, told = self.changed(parts, lambda rows: rows[:100] + [[row[0], "%.9g" % (float(rows[99][1]) - 0.3), *row[2:5], "%.9g" % (float(rows[99][5]) + 0.3), row[6]]
                                                                      for row in rows[160:]])
         self.assertEqual(["pick_up"], [move[0] for move in moves], told)
-        self.assertIn("1 moves are left out: in a gap before them the block moved by an unknown way", told)
+        self.assertIn("1 moves are left out: in a gap before them the block moved by an unknown distance", told)
 
     def test_the_last_row_of_a_move_is_at_rest(self):
         """A row may hold where the block stops and the load that it then has."""
@@ -203,7 +203,7 @@ class Made(unittest.TestCase):
         self.assertIn("the block never moves with the string in the slips", told)
         moves, told = self.found([self.STOP, self.UP, self.STOP, (30, -0.2, 0.0, 0.0, 9e5), self.STOP], held=(3,))
         self.assertEqual([("pick_up", 900000)], moves)
-        self.assertIn("1 moves are left out, with the load of the string: the block moves, but the bit's depth stands (first: at 1", told)
+        self.assertIn("1 moves are left out, with the load of the string: the block moves, but the bit's depth does not change (first: at 1", told)
         moves, told = self.found([self.STOP, self.UP, self.STOP, self.DOWN, self.STOP, self.UP, self.STOP, (60, -0.2, 0.0, 0.0, 2e5)])
         self.assertEqual(["pick_up", "slack_off", "pick_up"], [move[0] for move in moves])
         self.assertIn("1 moves are left out, with less than half of the usual load", told)

@@ -29,7 +29,7 @@ public:
   Orders(const std::uint8_t* data, std::size_t size) : next_(data), end_(data + size) {}
   bool finished() const { return next_ == end_; }
   unsigned byte() { return finished() ? 0u : *next_++; }
-  /// One byte: -scale .. scale in steps, or one that nobody should send.
+  /// One byte: -scale .. scale in steps, or one that is never right.
   double number(double scale)
   {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();

@@ -33,7 +33,7 @@ public:
   double between(double low, double high) { return low + (high - low) * (static_cast<double>(next() >> 11) * 0x1p-53); }
   double sign() { return one_in(2) ? -1.0 : 1.0; }
 
-  /// A number that a healthy caller sends, up to +-scale, or, one time in four, one that nobody should send.
+  /// A number that a healthy caller sends, up to +-scale, or, one time in four, one that is never right.
   double wild(double scale)
   {
     if (!one_in(4)) return between(-scale, scale);

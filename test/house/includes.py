@@ -94,7 +94,7 @@ def fault(include, messages):
             return None if room in OF_SUNDIALS else '%s/ includes %s: SUNDIALS is for %s alone' % (room, header, folders(OF_SUNDIALS))
         return 'there is no %s' % header if header.startswith('drill_rig_sim/') else None
     if room == target or room not in ORDER or target not in ORDER:
-        return None  # a room that is not in the order is told once, by faults()
+        return None  # a room that is not in the order is reported once, by faults()
     if ORDER.index(target) > ORDER.index(room):
         return '%s/ includes %s: %s/ comes later in the order of the rooms' % (room, header, target)
     if target in OF_ROS and room not in OF_ROS and include.target != RUN_BAG:

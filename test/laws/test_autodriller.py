@@ -33,7 +33,7 @@ class AutodrillerLoops(unittest.TestCase):
         self.gets_off_a_stall(law, series(states, "truth.motor_stalled"))
 
     def means(self, begin, end, seconds):
-        """Of the weight over so many seconds, all that lie between two times."""
+        """Of the weight over windows of these seconds, all that lie between two times."""
         rows = (self.time > begin) & (self.time <= end)
         count = round(seconds / 0.1)
         return numpy.convolve(self.weight[rows], numpy.ones(count) / count, "valid")

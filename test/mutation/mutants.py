@@ -87,7 +87,7 @@ def function_bodies(source):
 
 
 def mute(source, allowed):
-    """Takes out the statements that nobody's numbers depend on."""
+    """Takes out the statements that no numbers depend on."""
     for i, token in enumerate(source.tokens):
         if token.kind != 'name' or not MUTED.fullmatch(token.text):
             continue
@@ -150,7 +150,7 @@ def scaled(number):
         value = float(number.rstrip('fFlL').replace("'", ''))
     except ValueError:
         return None
-    # small ones are tolerances: a tenth more of them is no fault anybody makes
+    # small ones are tolerances: a tenth more of them is no likely fault
     wrong = 1.0 if value == 0.0 else value * 1000.0 if value < 1e-5 else value * 1.1
     return '%.12g' % wrong if '%.12g' % wrong != str(int(wrong)) else '%.1f' % wrong
 

@@ -46,7 +46,7 @@ def chrome(width=1280, height=800, *more):
 
 
 def resize(browser, width, height, mobile=False):
-    """To a page of so many pixels."""
+    """To a page of this size [pixels]."""
     browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": mobile})
 
 

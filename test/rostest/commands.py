@@ -36,7 +36,7 @@ class Commands(unittest.TestCase):
         self.fail("no count of refused commands")
 
     def commands_status(self, said):
-        """The diagnostics of commands, once they say so."""
+        """The diagnostics of commands, once they report it."""
         diagnostics = self.rig.collect("/diagnostics", DiagnosticArray)
 
         def status(messages):

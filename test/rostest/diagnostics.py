@@ -21,7 +21,7 @@ class Diagnostics(unittest.TestCase):
         self.diagnostics = self.rig.collect("/diagnostics", DiagnosticArray)
 
     def until_state(self, word):
-        """The first message that says so, with whatever came after."""
+        """The first message that reports it, with all that came after."""
         def said(messages):
             return any(values(m).get("state") == word for m in messages)
         messages = self.diagnostics.wait_until(said)

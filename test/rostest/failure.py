@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""A frame that cannot be solved, in lockstep: the step says so, rig_state says it once with the last good stamp, nothing goes on but a
+"""A frame that cannot be solved, in lockstep: the step reports it, rig_state shows it once with the last good stamp, nothing goes on but a
 reset or a snapshot; and what run_state is before, meanwhile and after."""
 from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
 from drill_rig_sim.msg import RigState, RigTruth

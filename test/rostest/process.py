@@ -120,7 +120,7 @@ class Process(unittest.TestCase):
             self.ends_cleanly(node, how)
 
     def told(self, node, words):
-        """Waits until the node's diagnostics of time say so, as a warning."""
+        """Waits until the node's diagnostics of time report it, as a warning."""
         diagnostics = Collector("/diagnostics", DiagnosticArray)
 
         def says(messages):
@@ -154,7 +154,7 @@ class Process(unittest.TestCase):
         time.sleep(2.0)
         self.assertEqual(1, self.warned(follower, "/leader/rig_simulator"), follower.said())
 
-        other = self.start("other_leader")  # it follows whoever goes on
+        other = self.start("other_leader")  # it follows the one that goes on
         rig.state()
         self.ends_cleanly(follower, signal.SIGTERM)
         self.ends_cleanly(other, signal.SIGTERM)

@@ -31,7 +31,7 @@ def what_failed(output):
 
 
 def must_pass(case, name, environment, longest, *words):
-    """All of a program's tests pass, within so many wall seconds."""
+    """All of a program's tests pass, within this number of wall seconds."""
     program = find(name)
     case.assertIsNotNone(program, name + " is not built")
     done = subprocess.run(["xvfb-run", "-a", "-s", "-screen 0 1920x1080x24", program] + list(words), env=environment, timeout=longest, check=False,

@@ -168,7 +168,7 @@ class Rig:
         return rospy.wait_for_message(self.topic("rig_state"), RigState, PATIENCE)
 
     def advance(self, frames, **commands):
-        """Lockstep: the readings after so many frames."""
+        """Lockstep: the readings after this number of frames."""
         return self.answer(frames, **commands).state
 
     def advance_truth(self, frames, **commands):
@@ -176,7 +176,7 @@ class Rig:
         return self.answer(frames, **commands).truth
 
     def answer(self, frames, winch=None, top_drive=None, mud_pump=None, steering=None):
-        """Lockstep: the answer to so many frames."""
+        """Lockstep: the answer to this number of frames."""
         request = StepSimulationRequest(frames=frames)
         request.winch = [] if winch is None else [winch]
         request.top_drive = [] if top_drive is None else [top_drive]

@@ -69,7 +69,7 @@ class Values(unittest.TestCase):
         self.rig.must(self.rig.reset_well("", 0.0))
 
     def off_bottom(self, **commands):
-        """Ten metres off bottom, after so many commands."""
+        """Ten metres off bottom, after this number of commands."""
         self.rig.must(self.rig.reset_well("", 270.0))
         if commands:
             self.rig.advance(1, **commands)

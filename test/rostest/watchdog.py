@@ -45,7 +45,7 @@ class Watchdog(unittest.TestCase):
         return next(filter(condition, list(self.states.messages)))
 
     def after(self, seconds):
-        """The state so many simulated seconds later."""
+        """The state this number of simulated seconds later."""
         now = self.state(lambda s: True, "a state").header.stamp
         return self.state(lambda s: s.header.stamp >= now + rospy.Duration.from_sec(seconds), "%g simulated s" % seconds)
 

@@ -32,7 +32,7 @@ class Waves(unittest.TestCase):
         self.still = self.rig.advance(1)
 
     def record(self, frames, **commands):
-        """Times, rig states and bit twists of so many frames; the commands come with the first."""
+        """Times, rig states and bit twists of this number of frames; the commands come with the first."""
         states = []
         for i in range(frames):
             states.append(self.rig.advance(1, **(commands if i == 0 else {})))

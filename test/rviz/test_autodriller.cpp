@@ -57,7 +57,7 @@ TEST(Autodriller, StartsFollowsAndStops)
   QTest::mousePress(console.get("winch raise"), Qt::LeftButton);
   EXPECT_TRUE(wait_until([&] { return !laws.all().back()->running && states.all().back()->winch.block_velocity == 0.05; }));
   wait_for(2.0);
-  EXPECT_DOUBLE_EQ(0.05, states.all().back()->winch.block_velocity) << "nobody sets the brake meanwhile";
+  EXPECT_DOUBLE_EQ(0.05, states.all().back()->winch.block_velocity) << "the brake is not set meanwhile";
   QTest::mouseRelease(console.get("winch raise"), Qt::LeftButton);
   console.open_page_of("autodriller start");
   EXPECT_TRUE(wait_until([&] { return shows("stopped"); }));

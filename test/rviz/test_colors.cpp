@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The console as one sees it who cannot tell red from green.
+// The console as the colour-blind (red and green) see it.
 #include <QImage>
 #include <QTableWidget>
 #include <array>

@@ -274,7 +274,7 @@ TEST_F(Commands, Snapshots)
   ASSERT_TRUE(ros::service::call("/" + std::string(shared_name) + "/save_state", elsewhere));
   QEvent enter(QEvent::Enter);
   QCoreApplication::sendEvent(console_.get("snapshot name"), &enter);
-  EXPECT_TRUE(wait_until([&] { return listed("elsewhere"); })) << "somebody else's";
+  EXPECT_TRUE(wait_until([&] { return listed("elsewhere"); })) << "another rig's";
   EXPECT_EQ(file, console_.get<QComboBox>("snapshot name")->currentText());
   console_.get<QComboBox>("snapshot name")->setEditText("before");
   console_.forget_answer();

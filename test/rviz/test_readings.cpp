@@ -66,7 +66,7 @@ protected:
 TEST_F(Readings, EveryGaugeIsFilledWhileTheRigDrills)
 {
   end_shared_rig();
-  // that nobody has had before; free pipe at the pads, so that no caution about the level stands in the pictures
+  // that is new; free pipe at the pads, so that no caution about the level stands in the pictures
   const RigProcess rig("drilled", {"_settings:=numerics.level=hybrid;mud.axial_damping=12"});
   Console console("drilled", 900, 970);
   ASSERT_TRUE(console.is_in_state("RUNNING"));

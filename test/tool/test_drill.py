@@ -200,7 +200,7 @@ class Static(Drill):
         block = 17500.0 * 9.80665
         for line, expected in (('block_velocity: 0.1', rest + self.DRAG), ('block_velocity: -0.1', rest - self.DRAG),
                                ('top_drive_speed_rpm: 30', rest)):
-            # the start's jerk rings on in a well without axial damping: the mean over many periods counts
+            # the start's transient rings on in a well without axial damping: the mean over many periods counts
             self.succeed('run', self.INCLINED, *ALONE, '--set', 'program=[{at: 0, %s}]' % line, '--duration', '60', '--csv', self.file('d.csv'))
             with open(self.file('d.csv')) as text:
                 rows = [row for row in csv.DictReader(text) if float(row['time']) > 30.0]

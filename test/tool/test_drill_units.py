@@ -43,7 +43,7 @@ class Units(test_drill.Drill):
         in_si, shown = self.succeed('check', OILFIELD), self.succeed('check', OILFIELD, '--units', 'oilfield')
         self.assertEqual(in_si, self.succeed('check', OILFIELD, '--units=si'))
         for line in ('4 stations to 1500.00 ft, hole 1500.00 ft deep', 'dogleg      at most 2.00 deg/100 ft, from 500.00 to 1100.00 ft', 'part             type       from bit ft      to ft     mass lbm',
-                     'bit at 1498.00 ft, block at 80.00 ft, hook load ', ' klbf, of it the string ', 'mud         9.50 ppg, ', ' bbl in the annulus\n', 'losses      at 800 gpm: bore ', ' psi by pressure_coefficient', ' ft.lbf.s/rad, I ',
+                     'bit at 1498.00 ft, block at 80.00 ft, hook load ', ' klbf, of which the string ', 'mud         9.50 ppg, ', ' bbl in the annulus\n', 'losses      at 800 gpm: bore ', ' psi by pressure_coefficient', ' ft.lbf.s/rad, I ',
                      'mesh        elements of 15.58 ft up to ', ' ft above the bit by numerics.tolerance (0.02), of 31.17 ft above that'):
             self.assertIn(line, shown)
         kilonewton, klbf = (float(re.search(r'hook load ([\d.]+) k', text).group(1)) for text in (in_si, shown))

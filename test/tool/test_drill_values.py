@@ -42,7 +42,7 @@ class Check(test_drill.Drill):
         self.assertNotIn('new hole', self.succeed('check', QUICK))
         rock = ', '.join('{to_tvd: %d, drillability: 1e-8%s}' % layer for layer in ((50, ', friction: 0.2'), (120, ', friction: 0.25'), (300, ''), (999, ', friction: 0.35')))
         text = self.succeed('check', QUICK, '--set', 'formation=[%s]' % rock)
-        self.assertIn("new hole    friction 0.25 to 120 m TVD, its section's to 300 m TVD, 0.35\n", text)
+        self.assertIn("new hole    friction 0.25 to 120 m TVD, that of its section to 300 m TVD, 0.35\n", text)
 
     def test_what_a_scene_leaves_out_is_told(self):
         text = self.succeed('check', QUICK)
@@ -55,8 +55,14 @@ class Check(test_drill.Drill):
                 'tool_joint_diameter: 0.168}')
         bit = '{name: bit, type: bit, length: 0.3, mass: 40, diameter: 0.2159}'
         words = ('--set', 'string=[%s, %s, %s]' % (bit, motor, pipe))
-        self.assertRegex(self.succeed('check', QUICK, *words), r"wall +motor is [0-9.]+ mm deep in the wall 2 m above the bit; with the wall stiffness")
+        self.assertRegex(self.succeed('check', QUICK, *words), 
+                         r'wall +motor is [0-9.]+ mm deep in the wall 2 m above the bit: side forces are too small; use contact: \{stiffness: 2e\+10\} in')
         self.assertNotIn('deep in the wall', self.succeed('check', QUICK, *words, '--set', 'contact.stiffness=2e10'))
+        for stiffness in ('1e4', '5e6'):
+            text = self.succeed('check', QUICK, *words, '--set', 'numerics.level=beam3d', '--set', 'contact.stiffness=' + stiffness)
+            would_do = re.search('use contact.stiffness: (.*) or more', text).group(1)
+            text = self.succeed('check', QUICK, *words, '--set', 'numerics.level=beam3d', '--set', 'contact.stiffness=' + would_do)
+            self.assertNotIn('deep in the wall', text)
         pads = words + ('--set', 'string[1].outer_diameter=0.1715', '--set', 'string[1].linear_mass=95', '--set', 'string[0].gauge_length=0.15')
         self.assertIn('pads are wedged in the hole', self.succeed('check', QUICK, *pads))
         self.assertNotIn('wedged', self.succeed('check', QUICK, *pads, '--set', 'string[0].gauge_clearance=2e-3'))
@@ -69,11 +75,11 @@ class Check(test_drill.Drill):
     def test_what_leaves_the_bit_some_pressure_is_told(self):
         def coefficient(value):
             return self.succeed('check', QUICK, '--set', 'rig.mud_pump.pressure_coefficient=%.3g' % value)
-        told = re.search('leaves nothing for the bit, one above ([0-9.e+]+) would', coefficient(1e4))
-        self.assertIn('leaves nothing', coefficient(0.99 * float(told.group(1))))
-        self.assertNotIn('leaves nothing', coefficient(1.01 * float(told.group(1))))
+        told = re.search('is too small for any pressure drop at the bit; use more than ([0-9.e+]+)', coefficient(1e4))
+        self.assertIn('is too small for any', coefficient(0.99 * float(told.group(1))))
+        self.assertNotIn('is too small for any', coefficient(1.01 * float(told.group(1))))
         short = ('run', QUICK, '--duration', '3', '--set', 'rig.mud_pump.pressure_coefficient=1e4', '--set')
-        self.assertIn('pressures: bore and annulus alone', self.succeed(*short, 'program=[{at: 0, flow: 0.03}]'))
+        self.assertIn('pressures: at the pump', self.succeed(*short, 'program=[{at: 0, flow: 0.03}]'))
         self.assertNotIn('pressures:', self.succeed(*short, 'program=[]'))
 
     def test_losses_above_the_relief_valve_are_reported(self):
@@ -128,7 +134,7 @@ class Check(test_drill.Drill):
     def test_well_start_model_and_program(self):
         text = self.succeed('check', QUICK)
         self.assertIn('2 stations to 100 m, hole 100 m deep, at its bottom 0.00 deg inclination, 0.00 deg azimuth\n', text)
-        start = re.search(r'bit at 99.700 m, block at 20.00 m, hook load ([\d.]+) kN, of it the string ([\d.]+) kN\n', text)
+        start = re.search(r'bit at 99.700 m, block at 20.00 m, hook load ([\d.]+) kN, of which the string ([\d.]+) kN\n', text)
         in_mud = 1.0 - 1100.0 / STEEL
         weight = GRAVITY * ((40.0 + 136.0 * 18.8 + 31.9 * 80.6) * in_mud + 31.9 * 20.0)  # what is above the table hangs in air
         self.assertAlmostEqual(float(start.group(2)), weight / 1e3, delta=0.06)
@@ -200,7 +206,7 @@ class Progress(test_drill.Drill):
         try:
             while True:
                 shown += os.read(master, 65536)
-        except OSError:  # nobody holds the other end any more
+        except OSError:  # the other end is closed
             pass
         os.close(master)
         self.assertEqual(run.wait(300), 0)

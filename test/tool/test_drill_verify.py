@@ -36,7 +36,7 @@ class Verify(test_drill.Drill):
 
     def test_findings_by_output(self):
         out, found = self.verified(QUICK, *FAST, *DRILLS, '--duration', '9')
-        self.assertIn('9.0 s beside free nodes with elements and steps 1.2 and 1.44 times as short', out)
+        self.assertIn('9.0 s compared with two finer models (beam3d, elements and steps 1.2 and 1.44 times shorter)', out)
         self.assertEqual({'hook_load', 'torque', 'wob', 'rop', 'bit_speed', 'stand_pipe_pressure'}, set(found['outputs']))
         for one in found['outputs'].values():
             self.assertEqual(3, len(one['off']))

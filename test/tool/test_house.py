@@ -31,7 +31,7 @@ def tree(**files):
 
 
 def body(lines, head='void f()'):
-    """A function of so many lines."""
+    """A function of this number of lines."""
     return head + '\n{\n' + '  g();\n' * (lines - 3) + '}\n'
 
 
@@ -218,8 +218,10 @@ class Words(unittest.TestCase):
         text = 'nobody knows\n'
         for file in ('README.md', 'msg/A.msg', 'launch/a.launch', PUBLIC + 'sim/a.h'):
             self.assertEqual(['%s:1: "nobody": %s' % (file, words.NEVER[r'\b(whoever|somebody|nobody|anybody)\b'])], words.faults({file: text}))
-        self.assertEqual([], words.faults({'src/sim/a.cpp': '// nobody\n', 'src/python/a.py': 'nobody = "x"\n'}))
-        self.assertEqual(1, len(words.faults({'src/sim/a.cpp': 'refuse("nobody is there");\n'})))
+        for file, line in (('src/sim/a.cpp', '// nobody\n'), ('src/sim/a.cpp', 'refuse("nobody is there");\n'), ('src/python/a.py', '"""To nobody."""\n'),
+                           ('test/unit/a.cpp', '// it breaks loose\n'), (PUBLIC + 'string/a.h', '/// nobody\n')):
+            self.assertEqual(1, len(words.faults({file: line})), file)
+        self.assertEqual([], words.faults({'src/python/a.py': 'self.untold = []\n', 'test/run': 'nobody\n'}))
 
     def test_old_entries_of_the_changelog_stay(self):
         text = 'Forthcoming\n-----------\n* new\n\n0.2.0 (2026-01-01)\n------\n* nobody\n'

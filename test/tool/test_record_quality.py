@@ -335,9 +335,9 @@ class Delimiters(Folder):
         """Where another sign parts the same lines into other numbers, and where decimal commas may stand between commas."""
         self.all_refused({
             "two delimiters": ("Time (s),Hook Load (klbf),x;Time (s);Hook Load (klbf)\n0,200,1;5;300\n5,201,1;9;300\n",
-                               "r.csv:1: names and rows are parted by comma as well as by semicolon, into other numbers; needed: delimiter: "),
+                               "r.csv:1: names and rows can be split at comma or at semicolon, with different results; needed: delimiter: "),
             "decimal commas below names with commas": ("Time, s,Hook Load, klbf,Block Height, ft\n0,0,200,5,30,1\n5,0,201,5,29,1\n",
-                                                       "r.csv:1: its names hold the delimiter, a comma before the unit (s, klbf, ft)"),
+                                                       "r.csv:1: its names contain the delimiter, a comma before the unit (s, klbf, ft)"),
             "decimal commas before empty cells": (HEAD + ",Gas,Temp,x\n0,0,200,5,30,1,,,\n5,0,201,5,29,1,,,\n", "r.csv:2: has 9 cells, the header 6"),
             "decimal commas below empty names": (HEAD + ",,,\n0,0,200,5,30,1\n5,0,201,5,29,1\n", "r.csv:2: has 6 cells, the header 3")})
         text = "Time (s),Hook Load (klbf),x;Time (s);Hook Load (klbf)\n0,200,1;5;300\n5,201,1;9;300\n"

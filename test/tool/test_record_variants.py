@@ -145,9 +145,9 @@ REFUSED = {
     "a row cut off": (table() + "20,204\n", "r.csv:6: has 2 cells, the header 3"),
     "two wells": (table(header=("Well,Time (s)", *NAMES[1:]), times=["%s,%d" % (well, row[0]) for well, row in zip("AaAB", ROWS)]), "r.csv:5: Well is B, in the rows above A; needed: one well in a file"),
     "an empty cell of aligned columns": ("TIME(s)  HKLD(klbf)  BPOS(ft)  RPM   NOTE\n0        200.0       30.0      60.0  ok\n5        201.0                 60.0  two words\n",
-                                         "r.csv:3: the cells do not stand below those of line 2 from BPOS(ft) on: a cell is empty in one of these lines"),
+                                         "r.csv:3: the cells are not aligned with those of line 2 from BPOS(ft) on: a cell is empty in one of these lines"),
     "the same in the row before": ("TIME(s)  HKLD(klbf)  BPOS(ft)  RPM   NOTE\n0                    30.0      60.0  not ok\n5        201.0       29.5      60.0  ok\n",
-                                   "r.csv:3: the cells do not stand below those of line 2 from HKLD(klbf) on"),
+                                   "r.csv:3: the cells are not aligned with those of line 2 from HKLD(klbf) on"),
     "whole numbers in quotes": (table().replace("201,29.5", '"201,000",29').replace(".5", ""), "201,000 may be a whole number or one with a decimal comma"),
 }
 

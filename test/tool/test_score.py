@@ -269,7 +269,7 @@ class Files(unittest.TestCase):
             self.assertEqual(alone, scores)
 
     def bag(self, topics, zeroed_at=0.0, runs=(101,)):
-        """Messages of a node with the made-up run, a second apart. `zeroed_at`: when surface WOB was zeroed [s]. `runs`: so many messages of each of several."""
+        """Messages of a node with the made-up run, a second apart. `zeroed_at`: when surface WOB was zeroed [s]. `runs`: numbers of messages of several runs."""
         import rosbag
         import rospy
         from drill_rig_sim.msg import BitTruth, MwdSurvey, MwdToolface, RigState, RigTruth

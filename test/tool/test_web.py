@@ -307,7 +307,7 @@ class Hands:
 
 
 class Lag(unittest.TestCase):
-    """Readings that wait in a socket are late, and nobody may take them for the present."""
+    """Readings that wait in a socket are late, and must not be shown as the present."""
 
     def source(self, state_at, *strings):
         source = NodeSource("rig")

@@ -26,7 +26,7 @@ class WeightsOfARun(unittest.TestCase):
         return times, {name: numpy.broadcast_to(values, times.shape) for name, values in known.items()}
 
     def found(self, hours, every):
-        """By looking once in so many rows; how much of the log is kept [s]."""
+        """By looking once in this number of rows; how much of the log is kept [s]."""
         weights, (times, columns) = Weights(), self.columns(hours)
         for begin in range(0, len(times), every):
             rows = slice(begin, begin + every)

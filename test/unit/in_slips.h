@@ -91,7 +91,7 @@ inline void bring_hook_to(Simulator& rig, double load)
   ASSERT_NEAR(rig.truth().hook_load, load, 1000.0);
 }
 
-/// Sets the slips and slacks off, so that what is above them hangs on the hook alone.
+/// Sets the slips and slacks off, so that only what is above them hangs on the hook.
 inline void lay_into_slips(Simulator& rig)
 {
   rig.command(WinchSetpoint{0.0, true});

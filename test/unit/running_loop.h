@@ -68,7 +68,7 @@ public:
     return output(0);
   }
 
-  /// Lockstep: what so many frames hand over.
+  /// Lockstep: what this number of frames hands over.
   std::vector<FrameOutput> step(std::uint32_t frames)
   {
     std::uint64_t before = 0;

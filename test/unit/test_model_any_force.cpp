@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A force that is nobody's, a spring, a couple and a damper, at each node of a string, at every level: nothing of it may be lost.
+// A force of this test only, a spring, a couple and a damper, at each node of a string, at every level: nothing of it may be
+// lost.
 #include <gtest/gtest.h>
 
 #include <algorithm>

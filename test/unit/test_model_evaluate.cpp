@@ -24,7 +24,7 @@ std::vector<double> no_increment(const Model& model)
   return std::vector<double>(6 * static_cast<std::size_t>(model.nodes()), 0.0);
 }
 
-/// Depth drilled in so many seconds of a vertical hole whose bottom lies at 100 m.
+/// Depth drilled in this number of seconds in a vertical hole whose bottom lies at 100 m.
 double drilled(const std::vector<FormationLayer>& layers)
 {
   Scene scene = drilling_scene(0.001);

@@ -306,7 +306,7 @@ TEST(ModelKernels, forcesAlongTheString)
   }
 }
 
-// Room that a search has left is a help, not a state: who begins anew from the state, at any step, goes on bit for bit.
+// Room that a search has left is a help, not a state: a run that begins anew from the state, at any step, goes on bit for bit.
 TEST(ModelKernels, whatWasFoundBeforeChangesNothing)
 {
   for (const Kernel kernel : wide_kernels())

@@ -100,7 +100,7 @@ TEST(RestGrowth, raisesWhatAContactHolds)
     double then = 0.0;
     EXPECT_NEAR(bit.friction(rest, 0.999 * most, then), 0.999 * most, 1e-6 * most) << "holds";
     EXPECT_EQ(then, rest + step);
-    EXPECT_NEAR(bit.friction(rest, 1.5 * most, then), most, 1e-6 * most) << "breaks loose";
+    EXPECT_NEAR(bit.friction(rest, 1.5 * most, then), most, 1e-6 * most) << "breaks free";
     EXPECT_EQ(then, 0.0);
   }
 }
@@ -130,7 +130,7 @@ TEST(RestGrowth, countsFromTheLastSlip)
   EXPECT_NEAR(rests(rig).first, 10.0, 2.0);
 }
 
-// What breaks loose gives what its bristle held beyond the lower friction to the wall.
+// What breaks free gives what its bristle held beyond the lower friction to the wall.
 TEST(RestGrowth, keepsTheEnergyBalanceWhenAContactBreaksLoose)
 {
   Simulator rig(growing_scene());
@@ -144,7 +144,7 @@ TEST(RestGrowth, keepsTheEnergyBalanceWhenAContactBreaksLoose)
 }
 
 // The same pipe under IDA and under small steps of the default: at rest, breaking loose, sliding through two sections. A contact
-// breaks loose at a step's end, in both: seen 4.0, 3.5 and 1.2 % at steps of 2, 1 and 0.5 ms.
+// breaks free at a step's end, in both: seen 4.0, 3.5 and 1.2 % at steps of 2, 1 and 0.5 ms.
 TEST(RestGrowth, isTheSameInTheReference)
 {
   Scene scene = growing_scene();

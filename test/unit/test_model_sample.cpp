@@ -126,8 +126,8 @@ struct Drilling
 };
 }  // namespace
 
-// Each force has its account, and weight, line and drive theirs: nothing is booked that does not act, nothing acts that is not
-// booked.
+// Each force has its account, and weight, line and drive theirs: nothing is counted that does not act, nothing acts that is not
+// counted.
 TEST(Sample, itsPartsAddUpToTheResidual)
 {
   for (const int stuck : {0, 3})
@@ -202,7 +202,7 @@ TEST(Sample, rigAndBitAreThoseOfTheStep)
         << i;
 }
 
-// At the same places and rates, whoever integrates them: the string's forces, and those at its contacts, the bit's as a body of
+// At the same places and rates, by any integrator: the string's forces, and those at its contacts, the bit's as a body of
 // its own.
 TEST(Sample, aMotionGivenOutrightMeetsTheSameForces)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The way between the rig's state, the reference's unknowns and the stages that energy is booked from; and when the reference
+// The way between the rig's state, the reference's unknowns and the stages that energy is counted from; and when the reference
 // starts afresh.
 #include <gtest/gtest.h>
 
@@ -77,7 +77,7 @@ struct Interval
   }
 };
 
-/// Starts of IDA in so many steps.
+/// Starts of IDA in this number of steps.
 std::uint64_t starts_in(IdaIntegrator& ida, State& state, const Setpoints& setpoints, int steps)
 {
   const std::uint64_t before = ida.reference()->ida.starts;
@@ -321,7 +321,7 @@ TEST(ReferenceIntegrator, countsOverAllItsStarts)
   EXPECT_LT(report.rate_drift, 1e-5);
 }
 
-// A thousand steps of IDA are the most it takes in one: it says so, and the state is the one before.
+// A thousand steps of IDA are the most it takes in one: it reports this, and the state is the one before.
 TEST(ReferenceIntegrator, saysThatOneStepIsTooMuchWork)
 {
   RigAtRest rig = plucked();

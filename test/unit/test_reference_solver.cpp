@@ -207,7 +207,7 @@ TEST(IdaSolver, theOrderGoesNoHigherThanAllowed)
   EXPECT_LT(2 * high.steps, low.steps);
 }
 
-// A ripple of a period of 6 ms takes thousands of steps, if anybody looks at it.
+// A ripple of a period of 6 ms takes thousands of steps, if it is looked at.
 TEST(IdaSolver, theErrorTestLeavesOutWhatIsNoDifferentialEquation)
 {
   IdaOptions all;

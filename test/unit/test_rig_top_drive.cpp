@@ -26,7 +26,7 @@ TEST(TopDrive, EveryBranchObeysTheEquationOfMotion)
   EXPECT_NEAR(check(spec, torque_command(3e4), at_limit, fast, 0.005 * spec.max_speed).state.speed, spec.max_speed, 1e-9);
 }
 
-// Where the rotor is integrated by somebody else the same laws hold: at the solution both say the same.
+// Where another integrator has the rotor the same laws hold: at the solution both give the same.
 TEST(TopDrive, TheMotorOnItsOwnAgreesWithTheSolvedRotor)
 {
   const RotorStage stage{0.005, 300.0, 90000.0, 0.4, 300.0 * 0.4 - 900.0};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The simulation loop and time: a frame that fails, pauses, steps that end early, backlog, what nobody takes, telemetry's
+// The simulation loop and time: a frame that fails, pauses, steps that end early, backlog, what is not taken, telemetry's
 // latency, another rig's clock.
 #include <gtest/gtest.h>
 
@@ -184,7 +184,7 @@ TEST(LoopTime, framesThatNobodyTakesAreCounted)
   loop.join();
 }
 
-// Whoever is slow to publish misses pictures before he misses readings.
+// A slow publisher misses pictures before it misses readings.
 TEST(LoopTime, picturesThatFindNoRoomAreLeftOutAndCounted)
 {
   Parameters p = in_real_time();
@@ -256,7 +256,7 @@ TEST(LoopTime, aFollowerWaitsForTheClockAndGoesWithIt)
   EXPECT_EQ(4u, rig.count());
 }
 
-// Nothing is made for nobody; the first who comes gets it, also while time stands.
+// Nothing is made without a subscriber; the first one gets it, also while time stands.
 TEST(LoopTime, framesOfTheStringAreMadeForWhoeverAsksForThem)
 {
   RunningLoop rig(lockstep());
@@ -302,7 +302,7 @@ TEST(LoopTime, aPauseShowsTheStringAsItStands)
   EXPECT_FALSE(pause(false));
   rig.loop.subscriptions().profile = false;
   rig.step(1);
-  EXPECT_FALSE(pause(true)) << "nobody hears it";
+  EXPECT_FALSE(pause(true)) << "no subscriber receives it";
 }
 
 TEST(LoopTime, itSaysWhetherTimeStands)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What displays are told of a scene, against the scene.
+// What displays receive of a scene, against the scene.
 #include <gtest/gtest.h>
 
 #include <cmath>

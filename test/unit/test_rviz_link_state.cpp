@@ -34,7 +34,7 @@ TEST(ConsoleLinkState, WhoIsSlowedDownIsNotLate)
   Heard h = heard(RunState::running, 20.0, 0.5);
   h.speed = 0.01;
   EXPECT_EQ(LinkState::running, link_state(h));
-  h.speed = 0.0;  // as fast as it goes
+  h.speed = 0.0;  // as fast as possible
   EXPECT_EQ(LinkState::late, link_state(h));
 }
 

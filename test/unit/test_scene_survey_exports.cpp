@@ -220,7 +220,7 @@ TEST(SceneSurvey, ExportsThatAreRefused)
       {"decimal commas below empty names", "MD (m),Inc (deg),Azi (deg),,,\n100,0,2,3,45,1\n200,0,3,3,45,2\n",
        ":2: has 6 cells, the header 3, allowed: the same number, with decimal points"},
       {"decimal commas below names with commas", "MD, m,Inc, deg,Azi, deg\n100,0,2,3,45,1\n",
-       ":1: MD, m: a name holds the delimiter, a comma before the unit"},
+       ":1: MD, m: a name contains the delimiter, a comma before the unit"},
       {"decimal commas before empty cells", "MD (m),Inc (deg),Azi (deg),TVD,VS,DLS\n100,0,2,3,45,1,,,\n200,0,3,3,45,2,,,\n",
        ":2: has 9 cells, the header 6, allowed: the same number, with decimal points"},
       {"61 minutes",
@@ -258,12 +258,12 @@ TEST(SceneSurvey, ExportsThatAreRefused)
        "  MD(m)   INC(deg)  AZI(deg)  TVD(m)  REMARK\n"
        "    0.0        0.0       5.0     0.0  Tie\n"
        "   30.0        1.0              30.0  MWD ok\n",
-       ":3: its cells do not stand below those of line 2 from AZI(deg) on: a cell is empty in one of these lines"},
+       ":3: its cells are not aligned with those of line 2 from AZI(deg) on: a cell is empty in one of these lines"},
       {"the same in the line before",
        "MD(m)  INC(deg)  AZI(deg)  TVD(m)  REMARK\n"
        "0.0    0.0                 0.0     Tie in\n"
        "30.0   1.0       10.0      30.0    MWD\n",
-       ":3: its cells do not stand below those of line 2 from AZI(deg) on"},
+       ":3: its cells are not aligned with those of line 2 from AZI(deg) on"},
       {"thousands or decimal commas in quotes", "MD (m),Inc (deg),Azi (deg)\n0,0,0\n\"1,500\",10,45\n",
        ":3: MD (m): the comma may be a decimal comma or a thousands separator"},
   };

@@ -168,7 +168,7 @@ TEST(SurveyMarks, RowsOfAPlan)
   const SurveyTable survey = read(text);
   EXPECT_EQ(2u, survey.stations.size());
   EXPECT_TRUE(holds(survey.remarks.at(0),
-                    "2 stations marked \"Plan\" by \"Type\" were left out: it is read as a survey of the drilled well alone"));
+                    "2 stations marked \"Plan\" by \"Type\" were left out: it is read as a survey of the drilled well"));
   EXPECT_EQ(4u, read(head + ",Type\n0,0,0,Plan\n500,10,45,Plan\n600,12,45,Plan\n700,14,45,Plan\n").stations.size());
 }
 
@@ -183,7 +183,7 @@ TEST(SurveyMarks, RowsWithoutAMark)
     return text;
   };
   // below a mark of the plan: joined cells, or the drilled well
-  const std::string unknown = "of which path the station is, is not known, needed: a mark in every row";
+  const std::string unknown = "it is not known which of both the station is, needed: a mark in every row";
   EXPECT_TRUE(holds(refusal(marked("Type", {"Plan", "", "", "Actual"})), ":3: Type: has no mark")) << "of a survey";
   EXPECT_TRUE(holds(refusal(marked("Type", {"Plan", "", "", ""})), unknown));
   EXPECT_TRUE(holds(refusal(marked("Type", {"Plan", "Plan", "", ""}), of_plan()), unknown));

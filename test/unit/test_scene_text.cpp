@@ -50,9 +50,9 @@ TEST(SceneText, Utf16OfBothOrders)
 TEST(SceneText, FilesThatAreNoTextAreNamed)
 {
   for (const auto& [mark, kind] :
-       {std::pair<const char*, const char*>{
-            "PK\x03\x04",
-            "is a spreadsheet (xlsx) or another zip file, needed: a text file, for example a spreadsheet saved as CSV"},
+       {std::pair<const char*, const char*>{"PK\x03\x04",
+                                            "is a spreadsheet (xlsx) or another zip file, needed: a text file, for example its "
+                                            "table saved as CSV or copied into a text file"},
         {"\xd0\xcf\x11\xe0", "is a spreadsheet (xls)"},
         {"\x1f\x8b\x08", "is compressed (gzip)"},
         {"%PDF-1.7", "is a PDF file"}})

@@ -207,14 +207,15 @@ TEST(SceneUnits, AUnitOfAnotherQuantityIsRefusedWithTheAllowedOnes)
   EXPECT_EQ(
       "setting: program[0].fault_magnitude: kN is a force; allowed: Pa, kPa, MPa, GPa, bar, atm, kgf/cm2, psi, ksi, lbf/100ft2",
       refusal({"program=[{at: 1, fault: sensor_bias, fault_target: stand_pipe_pressure, fault_magnitude: 2 kN}]"}));
-  EXPECT_EQ("setting: mud.density: unknown unit; allowed: kg/m3, g/cm3, ppg, lbm/ft3", refusal({"mud.density=9 baume"}));
+  EXPECT_EQ("setting: mud.density: unknown unit \"baume\"; allowed: kg/m3, g/cm3, ppg, lbm/ft3",
+            refusal({"mud.density=9 baume"}));
 }
 
 TEST(SceneUnits, ANumberThatHasNoUnitTakesNone)
 {
   EXPECT_EQ("setting: well.sections[0].friction: m is a length; allowed: a number without a unit",
             refusal({"well.sections[0].friction=0.2 m"}));
-  EXPECT_EQ("setting: well.sections[0].friction: unknown unit; allowed: a number without a unit",
+  EXPECT_EQ("setting: well.sections[0].friction: unknown unit \"%\"; allowed: a number without a unit",
             refusal({"well.sections[0].friction=20 %"}));
   EXPECT_EQ("setting: contact.stiffness: N/m is a force per length; allowed: a number without a unit, which is in N/m^e",
             refusal({"contact.stiffness=5e7 N/m"}));

@@ -72,12 +72,15 @@ TEST(Accuracy, theWallIsTooSoft)
   w.forces.contact[watched] = 186e3;
   EXPECT_EQ(w.after(0.2).doubt, AccuracyDoubt::embedding);
   EXPECT_NEAR(w.memory.report.measure, 0.024, 1e-4);
+  // the stiffness that the warning names: 1.5 * 186 kN / 0.02395^1.5
+  EXPECT_NEAR(w.memory.report.allowed, 7.527e7, 1e4);
   // the bit fills its hole, on a wall of its own: 2 mm, 2e10 * 0.002^1.5 = 1789 kN
   Watched bit(vertical_scene(400.0, 290.0));
   bit.forces.contact[0] = 1.78e6;
   EXPECT_EQ(bit.after(0.2).doubt, AccuracyDoubt::none);
   bit.forces.contact[0] = 1.80e6;
   EXPECT_EQ(bit.after(0.2).doubt, AccuracyDoubt::embedding);
+  EXPECT_NEAR(bit.memory.report.allowed, 1.5 * 1.80e6 / std::pow(0.002, 1.5), 1.0);
 }
 
 // An upright rig over a slant hole.
@@ -98,18 +101,25 @@ TEST(Accuracy, saysWhereWhatAndWhatHelps)
   EXPECT_EQ(text_of(AccuracyReport()), "");
   EXPECT_EQ(text_of({AccuracyDoubt::measured, 0.031, 0.0, 0.0, 0.02, Output::torque, {0.004, 0.005, 0.025, 0.0}}),
             "torque: measured error 3.1 % of its range so far, over 3 s; over 30 s 0.4 % in the average, 0.5 % in the deviation, "
-            "2.5 % in the extremes; numerics.tolerance is 2 %. Use only what is within it, or double numerics.refinement (1 "
-            "unless set)");
+            "2.5 % in the extremes; numerics.tolerance is 2 %. Use only averages that are accurate enough, or double "
+            "numerics.refinement "
+            "(default: 1)");
   const std::string first = text_of({AccuracyDoubt::measured, 72.0, 0.0, 0.0, 0.02, Output::rop, {0.117, 0.005, 0.025, 0.0}});
   EXPECT_NE(first.find("measured error more than 100 % of its range"), std::string::npos) << first;
   EXPECT_NE(first.find(" 12 % in the average"), std::string::npos) << first;
+  EXPECT_EQ(text_of({AccuracyDoubt::confined, 0.85, 310.5, 9.5}),
+            "guided pipe 310.5 m above the bit carries 0.85 times its critical buckling load, but does not bend: drag and torque "
+            "are too low; use numerics.level: beam3d, or hybrid with numerics.free_length above 310.5");
   EXPECT_EQ(text_of({AccuracyDoubt::compression, 4.0, 812.0, 9.5}),
-            "an element of 9.5 m, 812 m above the bit, carries 4.00 times the compression that it can represent; use "
-            "numerics.element_length: 4.2 or less");
+            "an element of 9.5 m, 812 m above the bit, carries 4.00 times the compression that it can represent: its "
+            "bending is uncertain; use numerics.element_length: 4.2 or less");
   EXPECT_EQ(text_of({AccuracyDoubt::twist, 2.0, 812.0, 9.5}),
-            "an element of 9.5 m, 812 m above the bit, is twisted by 2.00 rad; use numerics.element_length: 4.2 or less");
-  EXPECT_EQ(text_of({AccuracyDoubt::embedding, 0.0062, 1.8, 0.0}),
-            "1.8 m above the bit the string is 6.2 mm deep in the wall, more than its clearance; use a larger contact.stiffness");
+            "an element of 9.5 m, 812 m above the bit, is twisted by 2.00 rad, more than 1: its torque is uncertain; use "
+            "numerics.element_length: 4.2 or less");
+  EXPECT_EQ(
+      text_of({AccuracyDoubt::embedding, 0.0062, 1.8, 0.0, 1.231e9}),
+      "1.8 m above the bit the string is 6.2 mm deep in the wall, more than its clearance: side forces are too small there; "
+      "use contact.stiffness: 1.3e+09 or more, in that part if it has its own contact");
   EXPECT_EQ(text_of({AccuracyDoubt::slant, 12.0 * degree, 0.0, 0.0}),
             "the hole is inclined by 12 deg at the rotary table, but the rig is upright: hook load and torque include a bend "
             "there; use a well.survey that begins vertical");

@@ -156,7 +156,7 @@ TEST(Connection, thereAndBackIsNothing)
   EXPECT_NEAR(rig.save()->string.length, length + 19.0, 1e-9);
 }
 
-// Weight and stretch of the pipe that comes, and what rings above the slips, are booked as handled.
+// Weight and stretch of the pipe that comes, and what rings above the slips, are counted as handled.
 TEST(Connection, closesTheEnergyBalance)
 {
   for (const Level level : {Level::beam3d, Level::axial_torsional})
@@ -196,7 +196,7 @@ TEST(Connection, isRefusedWithALine)
   bring_hook_to(rig, block_weight(rig) + weight_above_slips(rig));
   EXPECT_STREQ(rig.make_connection(4, false), "connection: the block would rise above highest_block_height");
   EXPECT_STREQ(rig.make_connection(1, true), "connection: the block would go below lowest_block_height");
-  EXPECT_STREQ(rig.make_connection(50, true), "connection: the string does not have as many joints");
+  EXPECT_STREQ(rig.make_connection(50, true), "connection: the string has fewer joints than are to be removed");
   rig.command(WinchSetpoint{-0.001, false});
   EXPECT_STREQ(rig.make_connection(0, false), "connection: the block moves, allowed: at rest");
   rig.command(WinchSetpoint{0.0, true});

@@ -270,13 +270,13 @@ TEST(Crew, comesForAnOperation)
   EXPECT_TRUE(rig.setpoints().winch.brake);
   rig.command(WinchSetpoint{0.5, false});
   play_until(rig, slips_frame, 300.0, [](const Truth& m) { return m.stop_reached; });
-  EXPECT_EQ(rig.truth().stand_count, there - 1) << "nobody asked for the crew";
+  EXPECT_EQ(rig.truth().stand_count, there - 1) << "the crew was not called";
   scene.rig.hoisting.highest_block_height = 25.0;
   ASSERT_EQ(scene_problems(scene).size(), 4u);
   EXPECT_EQ(scene_problems(scene).front().text, "connection: the block travels 24 m, needed for a stand: 30 m");
 }
 
-// What nobody would do ends with a reason, and the block does not set the string down.
+// What no crew would do ends with a reason, and the block does not set the string down.
 TEST(Crew, operationsThatCannotBeAreTold)
 {
   Scene scene = soft_rock(Level::rigid);
@@ -308,9 +308,10 @@ TEST(Crew, operationsThatCannotBeAreTold)
   const double none = Operation::unset;
   EXPECT_EQ(gives_up({operation(OperationKind::connection, none, none)}),
             "the bit reaches bottom before the block is low enough to add a stand, needed: drill deeper first");
-  EXPECT_EQ(gives_up({operation(OperationKind::trip, 206.0, none)}), "its depth is below the bottom of the hole");
+  EXPECT_EQ(gives_up({operation(OperationKind::trip, 206.0, none)}),
+            "to_depth is below the bottom of the hole, allowed: down to the bottom");
   EXPECT_EQ(gives_up({operation(OperationKind::trip, 2.0, none)}),
-            "the block is at its highest place, and there is no stand to take away");
+            "the block is at its highest position, and there is no stand to remove");
   scene.operations = {operation(OperationKind::trip, 206.0, none)};
   ASSERT_EQ(scene_problems(scene).size(), 1u);
   EXPECT_EQ(scene_problems(scene).front().text, "206 m is below the hole's bottom, allowed: down to 205.05 m");

@@ -315,7 +315,7 @@ TEST(Commands, bothSilentBothMustSpeak)
   EXPECT_EQ(-0.01, rig.truth().setpoints.winch.block_velocity);
   rig.set_command_timeout(0.0);
   for (int k = 0; k < 20; ++k) rig.frame(0.01);
-  EXPECT_FALSE(rig.truth().commands_timed_out) << "nobody watches";
+  EXPECT_FALSE(rig.truth().commands_timed_out) << "there is no watchdog";
 }
 
 // A controller of two actuators sends both each frame: the clamp of one must not hide behind the other.

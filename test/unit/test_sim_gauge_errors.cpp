@@ -207,7 +207,7 @@ TEST(Sensor, dropOutsHaveTheirShareAndLength)
     falls += sensor.is_lost() && !before;
     before = sensor.is_lost();
   }
-  // neighbours are alike for 1/(a + b): so many times fewer are independent
+  // neighbours are alike for 1/(a + b): this number of times fewer are independent
   const double share = a / (a + b), independent = n * frame * (a + b) / 2.0;
   EXPECT_NEAR(static_cast<double>(lost) / n, share, 4.0 * std::sqrt(share * (1.0 - share) / independent));
   const double left = -std::expm1(-(a + b) * frame) * b / (a + b), mean = frame / left;

@@ -143,7 +143,7 @@ TEST(Profile, trueAxialForceLacksTheMudsPressure)
   EXPECT_LT(p.true_axial_force[0], 1000.0 - 0.9 * 1150.0 * standard_gravity * 94.0 * collar_area);
 }
 
-// Bending stress M D / (2 I) of the weaker of the elements that meet, and compression over what the pipe bears straight of the
+// Bending stress M D / (2 I) of the weaker of the elements that meet, and compression over the critical buckling load of the
 // worse.
 TEST(Profile, stressAndBucklingAreThoseOfTheWorseElement)
 {

@@ -73,7 +73,7 @@ Simulator drilling_rig()
   return rig;
 }
 
-/// Entries of a history are told apart by their hashes: whoever changes one changes the last hash.
+/// Entries of a history differ by their hashes: a change of one changes the last hash.
 std::size_t last_hash_of(const std::vector<std::string>& paths, const std::string& path)
 {
   const std::string hash = path.substr(0, path.find(".slots")) + ".slots.hash";
@@ -320,7 +320,7 @@ TEST(SnapshotFile, anythingElseIsRefused)
   EXPECT_NE(refused(5).find("damaged"), std::string::npos);
   std::ofstream(file, std::ios::binary) << "short";
   EXPECT_NE(refused(5).find("not a snapshot"), std::string::npos);
-  EXPECT_THROW(write_snapshot(file, 5, whole), std::runtime_error) << "somebody else's";
+  EXPECT_THROW(write_snapshot(file, 5, whole), std::runtime_error) << "another program's";
   EXPECT_NE(refused(5).find("not a snapshot"), std::string::npos) << "and still there";
   std::ofstream(file, std::ios::binary | std::ios::trunc);
   write_snapshot(file, 5, whole);
@@ -329,7 +329,7 @@ TEST(SnapshotFile, anythingElseIsRefused)
   std::remove(file.c_str());
   EXPECT_NE(refused(5).find("not a regular file"), std::string::npos);
   ASSERT_EQ(0, mkfifo(file.c_str(), 0600));
-  EXPECT_THROW(write_snapshot(file, 5, whole), std::runtime_error) << "a pipe that nobody writes to: refused, and not waited for";
+  EXPECT_THROW(write_snapshot(file, 5, whole), std::runtime_error) << "a pipe without a writer: refused, and not waited for";
   EXPECT_THROW(write_snapshot("/nowhere/at/all", 5, whole), std::runtime_error);
 }
 }  // namespace test_sim_state

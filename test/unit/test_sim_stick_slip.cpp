@@ -156,7 +156,8 @@ std::vector<Complex> exponents(const std::vector<double>& signal, int count, dou
   return out;
 }
 
-/// Of the drive's speed after it has run up to 3 rad/s, in Z_TORQUE; so many that the quicker modes do not spoil the slowest two.
+/// Of the drive's speed after it has run up to 3 rad/s, in Z_TORQUE; as many as needed for the quicker modes not to spoil the
+/// slowest two.
 std::vector<Complex> exponents_of(const PlainPipe& pipe)
 {
   Simulator rig(pipe.scene());

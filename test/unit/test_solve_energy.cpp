@@ -212,7 +212,7 @@ TEST(Energy, ofAReleasedGripIsBooked)
   EXPECT_LT(simulator.energy().closure(), 0.005);
 }
 
-// The reference books each of IDA's own steps: its balance closes, and what the two book agrees within the default's
+// The reference counts each of IDA's own steps: its balance closes, and what the two count agrees within the default's
 // own error.
 TEST(Energy, ofTheReferenceClosesAndAgreesWithTheDefaults)
 {

@@ -98,7 +98,7 @@ TEST(Newton, convergesOnTheErrorThatItsIncrementLeaves)
   EXPECT_FALSE(newton_converged(nan_value, 1e-3, limits));
 }
 
-// One spring: the first increment solves it, the residual after it says so.
+// One spring: the first increment solves it, the residual after it shows that.
 TEST(Newton, solvesALinearProblemWithOneTangent)
 {
   TwoSprings problem(1.0, -0.03);

@@ -160,7 +160,7 @@ TEST(Start, torqueOnBitWithoutWeightIsRefused)
   EXPECT_THROW(build_at_rest(scene), std::runtime_error);
 }
 
-// The motor holds what the rock holds below: nobody moves until somebody is told to.
+// The motor holds what the rock holds below: nothing moves until a set point is given.
 TEST(Start, aStringStartedWithTorqueStaysAtRest)
 {
   Scene scene = drilling_scene();

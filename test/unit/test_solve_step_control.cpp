@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Variable steps: the local error that steers them, how the steps follow the tolerance, and what blows do to them.
+// Variable steps: the local error that steers them, how the steps follow the tolerance, and what impacts do to them.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -132,7 +132,7 @@ double allowed(double tolerance, unsigned needs, bool about)
   return stretch_squared(tolerance, needs) / stretch_squared(0.02, every_need);
 }
 
-// The rule by itself: the power of 3/2 of the tolerance, ten times as much where nobody reads what comes of it.
+// The rule by itself: the power of 3/2 of the tolerance, ten times as much where the result is not in needs.
 TEST(StepControl, waveErrorsAreAllowedByToleranceAndNeeds)
 {
   for (const bool about : {false, true})
@@ -147,7 +147,7 @@ TEST(StepControl, waveErrorsAreAllowedByToleranceAndNeeds)
   EXPECT_NEAR(allowed(0.02, need_rop, true), 1.0, 1e-9);
 }
 
-// A string that begins to turn in its hole: who reads the hook load alone has longer steps.
+// A string that begins to turn in its hole: a scene that needs only the hook load has longer steps.
 TEST(StepControl, stepsGoWithTheNeeds)
 {
   const auto steps = [](unsigned needs)

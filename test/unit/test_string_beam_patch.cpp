@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Patches: stretch, torsion and pure bending of every kind of beam element, exact on any mesh where theory says so.
+// Patches: stretch, torsion and pure bending of every kind of beam element, exact on any mesh where theory predicts it.
 #include <gtest/gtest.h>
 
 #include <cmath>

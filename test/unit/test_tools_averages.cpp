@@ -132,4 +132,20 @@ TEST(DrillingRecord, lastQuarterIsOfWholeSeconds)
   EXPECT_EQ(10u, four.last_quarter().samples()) << "of four seconds one";
 }
 
+// Twenty seconds at ten samples a second, off bottom, the weight that of the second: seconds 10 to 19.
+TEST(LatestRecord, isOfTheLastTenSeconds)
+{
+  LatestRecord record;
+  EXPECT_EQ(0u, record.all().samples());
+  for (int k = 0; k < 200; ++k)
+  {
+    Truth off = drilling_at(0.1 * k, k / 10);
+    off.on_bottom = false;
+    record.add(off);
+  }
+  EXPECT_EQ(100u, record.all().samples());
+  EXPECT_NEAR(14.5, record.all().wob(), 1e-12);
+  EXPECT_NEAR(10.0, record.all().first_time(), 1e-9);
+}
+
 }  // namespace drill_rig_sim::test_tools_averages

@@ -204,7 +204,7 @@ TEST(WellExtension, NothingIsAllocatedInAFrame)
   EXPECT_GT(hole.hole_depth(), 730.0 + 40.0);
 }
 
-// A bit that nobody stops: the room for nodes is shared out over ever longer intervals, and the hole goes on after that.
+// A bit that is never stopped: the room for nodes is shared out over ever longer intervals, and the hole goes on after that.
 TEST(WellExtension, FullCapacityIsSaidAndSurvived)
 {
   Wellbore hole(straight_well(100.0), every_metres(0.1), bit_radius, {}, 16);

@@ -14,7 +14,7 @@ namespace drill_rig_sim
 ///
 /// Within a step y = (u, v), 6 per node each: u' = v, v' = -M^-1 R(u, v, no acceleration). The table is ARKODE_TRBDF2_3_3_2:
 /// second order, L-stable, stiffly accurate (contacts and stuck bristles are in balance at the end of the step; SUNDIALS' other
-/// table of second order, SDIRK 2-1-2, is not), and the formula of our own trbdf2: what differs in cost is the machinery alone.
+/// table of second order, SDIRK 2-1-2, is not), and the formula of our own trbdf2: only the machinery differs in cost.
 /// Newton's method is SUNDIALS' with our criterion of convergence and our first guess. With d_v = c (d_u - r_u), c = 1/gamma, its
 /// system (1 - gamma J) d = r is (c^2 M + c C + K) d_u = c M (r_v + c r_u), where r_u is zero: the first guess keeps u' = v,
 /// which is linear. The rotor stays condensed into the top's spin, with the relations that the same table gives it; bristles,

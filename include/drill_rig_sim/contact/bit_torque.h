@@ -107,7 +107,7 @@ struct BitTorque
 BitTorque bit_torque(const TorqueLimit& limit, double stiffness, double twist, double slip, double speed,
                      double speed_coefficient) noexcept;
 
-/// A bristle stiffness k by which a bit under an ordinary weight, 300 kN per metre of its diameter, breaks loose after 0.01 rad:
+/// A bristle stiffness k by which a bit under an ordinary weight, 300 kN per metre of its diameter, breaks free after 0.01 rad:
 /// k = mu_s (300 kN/m) D^2 / (3 * 0.01) [N m/rad].
 double bit_bristle_stiffness(const BitTorqueSpec& spec, double diameter) noexcept;
 

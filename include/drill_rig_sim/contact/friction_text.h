@@ -47,7 +47,7 @@ DRILL_LAW V follows_by(V time, V stiffness, V damping)
 /// c_b/k_b.
 /// @param trial      q = k_b z_t + c_b v_t
 /// @param stretched  z_t
-/// @param velocity   gives v_t; asked for only where kinetic friction alone does not hold q
+/// @param velocity   gives v_t; called only where kinetic friction by itself does not hold q
 /// @param before     gives z at the start of the step; as velocity
 /// @param time       since then [s]
 template <class Vector, class Velocity, class Before>

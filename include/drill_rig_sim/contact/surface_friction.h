@@ -36,7 +36,7 @@ struct SurfaceSlopes
 /// bristle and Stribeck curve.
 /// @param kinetic  mu_k [-]
 /// @param bristle  at the start of the step [m]
-/// @param slopes   overwritten; null: nobody wants them
+/// @param slopes   overwritten; null: not computed
 SurfaceFriction surface_friction(double normal_force, double kinetic, const SurfaceMotion& motion, const Eigen::Vector2d& bristle,
                                  const WallLaw& law, SurfaceSlopes* slopes) noexcept;
 

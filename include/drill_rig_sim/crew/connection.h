@@ -72,7 +72,7 @@ struct BlockRun
 double connection_duration(const HoistingSpec& spec, double travel) noexcept;
 BlockRun block_run(const HoistingSpec& spec, const ConnectionState& connection) noexcept;
 
-/// What shows of a quantity of the string's top that is `held` [N, N m] in the string in the slips, `between` on the block alone
+/// What shows of a quantity of the string's top that is `held` [N, N m] in the string in the slips, `between` only on the block
 /// and `after` when it is made up: smooth from one to the next.
 double shown_while_broken_out(const HoistingSpec& spec, const ConnectionState& connection, double held, double between,
                               double after) noexcept;

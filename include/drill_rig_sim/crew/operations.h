@@ -78,7 +78,7 @@ struct PressureTrend
 };
 
 /// Plays operations, a scene's or those that a running rig is asked for: gives the simulator the set points of the one under way
-/// before every frame, by the readings alone.
+/// before every frame, only by the readings.
 /// - flow and rotate ramp their set point; it stays in force.
 /// - pick_up and slack_off move the block, ream up and down again to where it began `times`; all are stopped or turned back so
 /// far ahead of their end as

@@ -41,7 +41,7 @@ public:
   /// A coarser level from the next frame on: nodes up to `from_bit` above the bit's face [m] stay free, those above it are guided
   /// (0: axial_torsional; else hybrid). What the string carries goes on as it was (model/levels.h). False, and nothing changed,
   /// where it would set guided pipe free, for that shakes turning pipe for seconds (torque off by up to 40 %), for level rigid,
-  /// for methods that know free nodes alone, and where `from_bit` is no length.
+  /// for methods that have only free nodes, and where `from_bit` is no length.
   virtual bool set_free_length(double from_bit) noexcept = 0;
   /// Sets the slips: they grip the joint's end nearest to the rotary table (model/forces/slips.h). Or pulls them. Null where it
   /// is done, else why not, one line, static storage; nothing has changed then.

@@ -14,7 +14,7 @@
 /// P(Q; f, rho) has the dimension of a pressure, so that P(Q; f, rho) = r P(Q; f/r, rho_0) with r = rho/rho_0. Q_c is the flow at
 /// which laminar flow ends, and s_i = Q_c(f_i)/Q_c(f) scales to the same Reynolds number there:
 ///   P(Q; f) = P(s_i Q; f_i)/s_i^2.                                                                                       (1)
-/// Of a mud without a yield stress the Reynolds number alone counts: (1) is exact in every regime of flow_losses.h. With a yield
+/// Of a mud without a yield stress only the Reynolds number counts: (1) is exact in every regime of flow_losses.h. With a yield
 /// stress it is exact at Q_c, and its stress at rest is f_i/s_i^2 instead of f. The mean of two tables,
 /// f_i < f < f_j, with the weights that make this f, has then yield stress, consistency and the end of laminar flow right. With
 /// factors of 2 between tables it is within 1.5 % of the law; a table's own error, where a Newtonian or Bingham mud turns

@@ -111,7 +111,7 @@ constexpr std::size_t most_heat_cells = 512;
 /// One step of cells from the flow line down. Does not allocate.
 /// @param cells  at most most_heat_cells
 /// @param count  of cells
-/// @param flown  so many from the top have mud that flows, at least 1: down to the bit's; those below it rest
+/// @param flown  number of cells from the top whose mud flows, at least 1: down to the bit's; it rests below
 void advance_heat(const HeatMud& mud, const HeatCell* cells, std::size_t count, std::size_t flown, const HeatFlow& flow,
                   HeatState& state) noexcept;
 

@@ -20,7 +20,7 @@ struct SensorView
   Eigen::Vector3d axis = -Eigen::Vector3d::UnitZ();   ///< along the string, towards the bit
   Eigen::Vector3d scribe = Eigen::Vector3d::UnitY();  ///< across the string: the bend's direction without twist
   double spin_speed = 0.0;                            ///< of the pipe [rad/s]
-  bool in_slips = false;                              ///< the slips bear the string: where the block is says nothing of the bit
+  bool in_slips = false;                              ///< the slips carry the string: the block does not show the bit's depth
   double pump_strokes = 0.0;                          ///< since the start, with parts of a stroke
   SubView sub;                                        ///< what the tool of dynamics sees
 };

@@ -31,7 +31,7 @@ struct TiltSpin
 
   /// r' at the angular velocity w (world axes) [rad/s].
   Eigen::Vector3d rate(const Eigen::Vector3d& r, const Eigen::Vector3d& w) const noexcept;
-  /// dr'/dw, a function of r alone: rate = rate_by_velocity w.
+  /// dr'/dw, a function only of r: rate = rate_by_velocity w.
   Eigen::Matrix3d rate_by_velocity(const Eigen::Vector3d& r) const noexcept;
   /// Its inverse, w = velocity_by_rate r': takes a change of r to the small spatial rotation that it makes.
   Eigen::Matrix3d velocity_by_rate(const Eigen::Vector3d& r) const noexcept;

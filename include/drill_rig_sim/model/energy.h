@@ -8,7 +8,7 @@
 
 namespace drill_rig_sim
 {
-/// Energies at the increments u (6 per node) of a stage; every force tells its own.
+/// Energies at the increments u (6 per node) of a stage; every force adds its own.
 StoredEnergy stored_energy(const Model& model, const State& start, const Stage& stage, const double* u, Workspace& work) noexcept;
 
 /// Energies, forces by kind and rates there; the stage's accelerations must be those of the method. Allocates when `out` has not

@@ -16,7 +16,7 @@ namespace drill_rig_sim
 ///  - Inputs, dissipation and broken rock are integrated in time, h f_bar v_bar. They know rates and the clock, not the
 ///  increments.
 ///    Gravity is weight times the change of places.
-///  - Stored energy comes from the configuration and the rates alone.
+///  - Stored energy comes only from configuration and rates.
 ///  - Numerical dissipation is what the method's own rules miss, D = f_bar . u - (change of energy) for inertia (f = M a) and for
 ///  every
 ///    elastic force, less the work r_bar . u of the residual r that it left: the trapezoidal rule on a linear system has D = 0.

@@ -94,7 +94,7 @@ struct EnergySample
   double pay_out = 0.0;           ///< dL_0/dt as the drum turns [m/s]
   double floor_speed = 0.0;       ///< of the rotary table, that heaves [m/s]
   double floor_moved = 0.0;       ///< since the start of the step [m]
-  double slips_force = 0.0;       ///< that the slips bear the string with, + up [N]
+  double slips_force = 0.0;       ///< of the slips on the string, + up [N]
   double drive_torque = 0.0;      ///< of the top drive's motor [N m]
   double gear_friction = 0.0;     ///< of its gearbox and brake, on the rotor [N m]
   double rotor_speed = 0.0;       ///< [rad/s]

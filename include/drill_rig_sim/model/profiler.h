@@ -30,7 +30,7 @@ enum class Cost
 class Profiler
 {
 public:
-  /// Time before this call is nobody's.
+  /// Time before this call is not counted.
   void restart() noexcept { last_ = Clock::now(); }
 
   void lap(Cost cost) noexcept

@@ -27,7 +27,7 @@ struct BitDrive
   double mean_speed = 0.0;      ///< of the bit, behind its speed by the lag [rad/s]
   double drilling_speed = 0.0;  ///< that the rock-breaking law sees, drilling_speed() [rad/s]
   double rock_time = 0.0;       ///< over which the bottom recedes implicitly, by the law at the stage [s]
-  bool bottom_known = false;    ///< somebody else integrates the bottom:
+  bool bottom_known = false;    ///< another integrator has the bottom:
   Eigen::Vector3d bottom_increment = Eigen::Vector3d::Zero();  ///< how far it has receded since the start of the step [m]
 };
 
@@ -100,7 +100,7 @@ struct Stage
   Pads pads;              ///< none in statics
   SlidingMotion sliding;  ///< of the string in the hole; statics only
 
-  // where the laws with a course of their own are at `time`
+  // where the laws with a time history of their own are at `time`
   HoistState hoist;
   Eigen::Vector3d lean = Eigen::Vector3d::Zero();  ///< of a shaft that points the bit (pointing.h), across the collar's section
                                                    ///< normal at the start [rad]

@@ -70,7 +70,7 @@ struct NodeState
 /// Where the pipe between two nodes touches the wall.
 struct SpanState
 {
-  double twist = 0.0;         ///< lower end relative to upper, between two guided nodes alone [rad]
+  double twist = 0.0;         ///< lower end relative to upper, only between two guided nodes [rad]
   double free_stretch = 0.0;  ///< what a change of level has made of the element's length without tension (levels.h) [-]
   Eigen::Vector3d bristle = Eigen::Vector3d::Zero();  ///< of the sticking friction at the element's middle, world axes [m]
   double rest = 0.0;                                  ///< how long that friction has stuck [s]
@@ -103,7 +103,7 @@ struct PastQuantity
 };
 
 /// What a method of time stepping remembers of earlier steps. Which quantities, and in which order, is the method's own affair;
-/// there is room for so many in every state, so that no step allocates.
+/// every state has room for this number, so that no step allocates.
 struct MethodMemory
 {
   static constexpr int room = 3;
@@ -255,7 +255,7 @@ struct State
   DriveState drive;
   HoistState hoist;
   BitState bit;
-  CutGround ground;  ///< under the bit; of the regenerative law alone, its fixed place the bottom at the start
+  CutGround ground;  ///< under the bit; only of the regenerative law, its fixed place the bottom at the start
   HeldNode stuck_point;
   HeldNode slips;  ///< of the rotary table, under a joint's end; its place as if the table were where it is in the mean
   PadsState pads;

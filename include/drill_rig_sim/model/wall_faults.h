@@ -7,7 +7,7 @@
 #include "drill_rig_sim/model/workspace.h"
 
 /// What faults and a bed of cuttings make of the hole's wall: another friction (hole_cleaning.h), and a wash-out, where the hole
-/// is wider. The well itself stays as it is: whoever has found a place in it puts these in.
+/// is wider. The well itself stays as it is: the search for a place in it adds these.
 namespace drill_rig_sim
 {
 constexpr double wash_out_length = 5.0;  ///< from the middle of a wash-out to its ends [m]

@@ -85,7 +85,7 @@ struct Workspace
 {
   explicit Workspace(const Model& model);
 
-  std::vector<NodeMotion> nodes;  ///< of guided nodes only where motion_known says so: forces read them by StageContext::node()
+  std::vector<NodeMotion> nodes;  ///< of guided nodes only where motion_known is set: forces read them by StageContext::node()
   std::vector<SpanMotion> spans;  ///< one per element
   GuidedMotions guided;           ///< of the nodes
   std::vector<unsigned char> motion_known;  ///< per node: `nodes` holds its motion at this stage; of free nodes always
@@ -99,7 +99,7 @@ struct Workspace
   const WallKernel* wall;
   const HistoryKernel* history;
   StageResult result;
-  std::vector<double> unused;  ///< 6 per node: a residual that nobody asks for
+  std::vector<double> unused;  ///< 6 per node: a residual that is not used
   Profiler profiler;           ///< where the time goes; evaluate() times its parts, its callers theirs
   Work work;                   ///< evaluate() and update() count their own, solvers theirs
 };

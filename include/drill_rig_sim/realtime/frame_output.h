@@ -22,7 +22,7 @@ namespace drill_rig_sim
 struct LoopStatistics
 {
   TimeHistogram frame_times;  ///< that frames took to compute
-  TimeHistogram lateness;     ///< of frames begun behind their time; in real time alone, where they have one
+  TimeHistogram lateness;     ///< of frames begun behind their time; only in real time, where they have one
   std::uint64_t overruns = 0;
   double dropped_seconds = 0.0;          ///< backlog dropped [s]
   std::uint64_t unpublished_frames = 0;  ///< frames not published because the publishers were behind
@@ -111,7 +111,7 @@ struct FrameRecord
   std::array<char, 256> failure{};  ///< why the last frame failed; empty otherwise
 };
 
-/// What is drawn or listed along string and well: large, so a ring lends it to those frames alone that show it.
+/// What is drawn or listed along string and well: large, so a ring lends it only to frames that show it.
 struct FrameArrays
 {
   StringProfile profile;

@@ -49,7 +49,7 @@ public:
   bool in_lockstep() const noexcept { return mode_ == ClockMode::lockstep; }
   bool is_realtime() const noexcept { return mode_ != ClockMode::lockstep && !follows() && speed_ > 0.0; }
 
-  /// Simulated seconds per wall second; 0 = as fast as it goes.
+  /// Simulated seconds per wall second; 0 = as fast as possible.
   double speed() const noexcept { return speed_; }
   /// `now`: steady time [ns], at which the next frame is due.
   void set_speed(double speed, std::int64_t now) noexcept;

@@ -17,7 +17,7 @@ enum class Formulation
 {
   stabilised_index_2,  ///< Gear, Gupta, Leimkuhler (1985): g = 0 and g' = 0, with a second set of multipliers mu in q' = v - G^T
                        ///< mu
-  index_3              ///< g = 0 alone, as it follows from mechanics: its multipliers are ill-conditioned at small steps
+  index_3              ///< only g = 0, as it follows from mechanics: its multipliers are ill-conditioned at small steps
 };
 
 /// The errors that count as one tolerance, a local error per step.

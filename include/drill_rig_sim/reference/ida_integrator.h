@@ -29,7 +29,7 @@ public:
 
   bool advance(State& state, double step, const Setpoints& setpoints) noexcept override;
   void restart() noexcept override { lost_ = true; }
-  /// The balance books each of IDA's own steps.
+  /// The balance counts each of IDA's own steps.
   void keep_balance(EnergyBalance* balance) noexcept override { balance_ = balance; }
   const ReferenceReport* reference() const noexcept override { return &report_; }
   const char* failure() const noexcept override;

@@ -131,7 +131,7 @@ WinchStep advance_winch(const HoistingSpec& spec, const WinchSetpoint& command, 
 /// A brake that holds at most `most` [N] at the block, on a drum without inertia. With a larger load line runs out: the lines
 /// carry `most`, and the load accelerates downwards by (W - most)/m for a rigid string of weight W and mass m. L_0 at the end of
 /// the step, from the block's height and velocity at its start: max(L_0, L_0 that carries `most` at height + velocity step). Off
-/// by the block's acceleration within the step alone, stiffness a step^2/2.
+/// only by the block's acceleration within the step, stiffness a step^2/2.
 double slipping_line(const HoistingSpec& spec, double line_length, double block_height, double block_velocity, double most,
                      double step) noexcept;
 

@@ -39,7 +39,7 @@ MwdSurvey to_mwd_survey(const FrameRecord& frame, const std::string& floor);
 MwdToolface to_mwd_toolface(const FrameRecord& frame, const std::string& floor);
 MwdInclination to_mwd_inclination(const FrameRecord& frame, const std::string& floor);
 DownholeDynamics to_downhole_dynamics(const FrameRecord& frame, const std::string& floor);
-/// What a step's answer tells of the last frame: readings, truth, bit, and telemetry that has come up.
+/// What a step's answer contains of the last frame: readings, truth, bit, and telemetry that has come up.
 void tell(const FrameRecord& frame, const std::string& floor, StepSimulation::Response& answer);
 
 /// Fills the message in place: its arrays keep their memory.

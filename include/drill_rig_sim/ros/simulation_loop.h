@@ -102,7 +102,7 @@ public:
   Timekeeper& time() noexcept { return time_; }
   bool paused() const noexcept { return paused_; }
   void set_paused(bool paused) noexcept;
-  /// Simulated seconds per wall second; 0: as fast as it goes.
+  /// Simulated seconds per wall second; 0: as fast as possible.
   void set_speed(double speed)
   {
     time_.set_speed(speed, steady_now());
@@ -118,7 +118,7 @@ public:
   void stop_playing(std::uint32_t order) noexcept;
   /// How often another rig, well or saved state has taken the place of the one before.
   std::uint32_t epoch() const noexcept { return epoch_; }
-  /// Hands the present state over once more, stamped as it was: after a change of the readings alone. While time stands rig_state
+  /// Hands the present state over once more, stamped as it was: after a change only of the readings. While time stands rig_state
   /// says it; otherwise its next frame does.
   void hand_over_again() noexcept;
   /// What came from topics up to now.
@@ -177,7 +177,7 @@ private:
   void one_frame(std::int64_t now) noexcept;
   void publish_now(bool rebuilt) noexcept;
   void restart_cadences() noexcept;
-  /// In lockstep, as fast as it goes and faster than real time a frame may wait for them, in real time it must not.
+  /// In lockstep, as fast as possible and faster than real time a frame may wait for them, in real time it must not.
   void pace_companions()
   {
     const bool keeps_time = !time_.in_lockstep() && (time_.follows() || (time_.speed() > 0.0 && time_.speed() <= 1.0));

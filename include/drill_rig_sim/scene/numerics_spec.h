@@ -48,7 +48,7 @@ constexpr bool varies_steps(IntegratorKind kind) noexcept
 /// --variants. with_choice() (sim/choice.h) makes it one of these.
 constexpr double step_by_level = -1.0, default_step = 0.01;
 
-/// Methods that know free nodes alone.
+/// Methods that have only free nodes.
 constexpr bool has_no_levels(IntegratorKind kind) noexcept
 {
   return kind == IntegratorKind::arkode_dirk || kind == IntegratorKind::ida || kind == IntegratorKind::central_differences;

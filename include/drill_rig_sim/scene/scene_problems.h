@@ -17,7 +17,7 @@ ProblemList scene_problems(const Scene& scene);
 /// What a scene asks for and this version does not have: levels but beam3d, connections. Part of scene_problems().
 ProblemList unavailable(const Scene& scene);
 
-/// Letters, digits and _ alone, 1 to 64 of them: what every name in a scene is.
+/// Only letters, digits and _, 1 to 64 of them: what every name in a scene is.
 bool is_name(const std::string& text);
 
 }  // namespace drill_rig_sim

@@ -31,9 +31,9 @@ struct AccuracyReport
   double measure =
       0.0;  ///< measured: error [-]; confined: over the critical buckling load; compression: over what the element can carry;
             ///< twist [rad]; embedding [m]; slant [rad]; level: sum of the needs; turn: of the hole by the rock law [rad/m]
-  double from_bit = 0.0;              ///< where on the string [m]; confined, compression, twist, embedding
-  double element_length = 0.0;        ///< of the element there [m]; compression, twist
-  double allowed = 0.0;               ///< measured: numerics.tolerance [-]; turn: by the body [rad/m]
+  double from_bit = 0.0;        ///< where on the string [m]; confined, compression, twist, embedding
+  double element_length = 0.0;  ///< of the element there [m]; compression, twist
+  double allowed = 0.0;  ///< measured: numerics.tolerance [-]; turn: by the body [rad/m]; embedding: stiffness that will do
   Output output = Output::hook_load;  ///< measured: the one with the largest error
   StatisticDifferences statistics{};  ///< measured: errors of its statistics over 30 s [-]
 

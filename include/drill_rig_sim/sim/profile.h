@@ -20,7 +20,7 @@ void fill_profile(const Model& model, const State& state, const RigForces& force
 struct StaticReport
 {
   StaticOutcome outcome;
-  StringLoads loads;  ///< what the string bears
+  StringLoads loads;  ///< loads of the string
   BuckledPipe buckled;
   AccuracyReport accuracy;             ///< what of it the elements do not stand for
   std::optional<TightAssembly> tight;  ///< whose side force drags on the wall too

@@ -26,7 +26,7 @@ namespace drill_rig_sim
 {
 struct SimulatorState;
 
-/// Of a simulator's companions, in a snapshot alone. A file holds as many as its simulator has.
+/// Of a simulator's companions, only in a snapshot. A file holds as many as its simulator has.
 struct CompanionStates
 {
   std::vector<SimulatorState> states;

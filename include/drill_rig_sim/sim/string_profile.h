@@ -26,9 +26,9 @@ struct StringProfile
   std::vector<double> spin_speed;               ///< [rad/s]
   std::vector<double> radius;                   ///< outer radius drawn at the node [m]
   std::vector<double>
-      bending_stress;  ///< of the outer fibre, by the bending moment alone; of the elements that meet there the larger [Pa]
+      bending_stress;  ///< of the outer fibre, only by the bending moment; of the elements that meet there the larger [Pa]
   std::vector<double> buckling;       ///< buckling_share() (string_watch.h), of the elements that meet there the larger [-]
-  std::vector<unsigned char> guided;  ///< 1: along the hole and about it alone
+  std::vector<unsigned char> guided;  ///< 1: only along the hole and about it
 };
 
 /// Pose of a named string part: x along the string towards the bit, origin at the part's lower end.

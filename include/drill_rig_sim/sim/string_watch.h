@@ -18,7 +18,7 @@ struct LoadShare
   double from_bit = 0.0;  ///< of the element's middle [m]
 };
 
-/// What the string's pipe has to bear.
+/// Loads of the string's pipe.
 struct StringLoads
 {
   LoadShare stress;    ///< von Mises' stress at the outer fibre over the part's yield strength

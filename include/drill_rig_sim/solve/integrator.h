@@ -32,7 +32,7 @@ public:
 
   /// Advances `state` by `step` [s]. False: it could not; the state then is the last one that was solved, still finite.
   virtual bool advance(State& state, double step, const Setpoints& setpoints) noexcept = 0;
-  /// One step of `step` [s], whole, for integrators with variable steps. False: it would have to be taken in parts; `state` then
+  /// One step of `step` [s], whole, for integrators with variable steps. False: it has to be subdivided; `state` then
   /// is as it was, but wants a shorter one.
   virtual bool take_one_step(State&, double, const Setpoints&) noexcept { return false; }
   /// The next state is not the one that advance() left: whatever is remembered of the past is void.

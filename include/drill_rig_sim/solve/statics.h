@@ -8,7 +8,7 @@
 namespace drill_rig_sim
 {
 constexpr int most_static_iterations = 8000;
-/// A share of the friction that pipe bears as it buckles into a helix, turn by turn.
+/// A share of the friction that pipe stands as it buckles into a helix, turn by turn.
 constexpr double gradual_share = 0.25;
 
 struct StaticOutcome

@@ -28,7 +28,7 @@ class WaveLife
 public:
   explicit WaveLife(const Model& model);
 
-  /// By the mud alone, 40 s at most [s].
+  /// Only by the mud, 40 s at most [s].
   const WaveLives& in_mud() const noexcept { return in_mud_; }
   /// And as the walls have it now [s].
   WaveLives now(const State& state) const noexcept;

@@ -30,7 +30,7 @@ struct BeamKind
                                    BeamStrain&, BeamTangent&) noexcept;
   /// U [J], whose gradient the forces are at no damping and no load.
   double (*energy)(const BeamSection&, const BeamPose&) noexcept;
-  bool load_moments;  ///< a dead load has end moments, as in beam_element.h, not its halves on the ends alone
+  bool load_moments;  ///< a dead load has end moments, as in beam_element.h, not only its halves on the ends
 };
 
 /// To compare with (compared/rotation_vector_beam.h).

@@ -19,7 +19,7 @@ struct MeshNode
   double contact_radius = 0.0;   ///< [m]
   double friction_radius = 0.0;  ///< WallLaw's [m]
   double bearing_radius =
-      0.0;  ///< of what bears the string's load here while it lies straight: within a joint its ends, if they are wider [m]
+      0.0;  ///< of what carries the string's load here while it lies straight: within a joint its ends, if they are wider [m]
   ContactLaw contact;
   double mass = 0.0;          ///< in air [kg]
   double mud_inside = 0.0;    ///< in the bore; moves along sideways [kg]
@@ -67,7 +67,7 @@ struct Mesh
   double bit_radius = 0.0;     ///< [m]
   double bit_mass = 0.0;       ///< [kg]
   double bit_displaced = 0.0;  ///< volume [m3]
-  int gauge_nodes = 1;  ///< so many of the lowest nodes are the bit's gauge: their contact turns with the motor and loads it
+  int gauge_nodes = 1;  ///< number of the lowest nodes that are the bit's gauge: their contact turns with the motor and loads it
   int bend_node = -1;   ///< -1: straight string
   int pad_node = -1;    ///< where a rotary steerable tool pushes; -1: none
   int pivot_node = -1;  ///< where one that points leans; -1: none

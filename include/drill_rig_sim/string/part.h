@@ -35,7 +35,7 @@ struct BitSpec
   /// Lateral, by the mud squeezed between gauge and wall: of 12 pi mu L (R/c)^3, 2e7 for a gauge of 0.1 m with 0.2 mm of
   /// clearance, what the blades leave. Less than some 3e5 would let the gauge whirl that rubs on a stiff wall [N s/m]
   double squeeze_film_damping = 5e5;
-  /// Of the gauge pads, up from the middle of the bit's ball [m]; 0: the ball alone touches the wall, and no tilt of the bit
+  /// Of the gauge pads, up from the middle of the bit's ball [m]; 0: only the ball touches the wall, and no tilt of the bit
   /// presses on it
   double gauge_length = 0.0;
   double gauge_clearance = 2e-4;  ///< of the pads' upper end, all round, in hole that the bit has cut [m]

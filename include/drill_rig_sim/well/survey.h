@@ -30,7 +30,7 @@ struct PathPoint
 ///   r(u) = r1 + D [u S(u alpha/2) cos((1-u) alpha/2) b  -  u (1-u)/2 S(u alpha/2) S((1-u) alpha/2)/S(alpha/2) (t2 - t1)]
 ///   t(u) = cos((u-1/2) alpha) b  +  (u-1/2) S((u-1/2) alpha)/S(alpha/2) (t2 - t1)
 /// No term divides by sin(alpha): the forms hold from alpha = 0 (S by its series) to alpha near pi. At alpha = pi the plane of
-/// the arc is undefined. An azimuth enters through the tangent alone, so it does not matter at inclination 0.
+/// the arc is undefined. An azimuth enters only through the tangent, so it does not matter at inclination 0.
 class Survey
 {
 public:

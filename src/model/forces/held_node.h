@@ -14,7 +14,7 @@ struct Grip
 {
   double stiffness;  ///< [N/m]
   double torsion;    ///< [N m/rad]
-  bool lets_up;      ///< it bears downwards and lets the node go upwards
+  bool lets_up;      ///< it supports the node from below and lets it go upwards
   bool on_floor;     ///< it heaves with the rig
 };
 

@@ -13,7 +13,7 @@ from drill_rig_sim.score_runs import write_series
 COMMAND = "rosrun drill_rig_sim drill_campaign"
 LAUNCH = """<!-- Run {number} of the campaign {name}: its scene, controller, parameters and seed. drill score judges all of it, the campaign what came after {begin:g} s. -->
 <launch>
-  <arg name="headless" default="false" doc="true: in lockstep, as fast as it goes, no window; ends with the score. False: in real time, by topics"/>
+  <arg name="headless" default="false" doc="true: in lockstep, as fast as possible, no window; ends with the score. False: in real time, by topics"/>
   <arg name="rviz" default="false" doc="show the rig in rviz"/>
   <arg name="csv" default="" doc="headless: file for the truth, as drill run --csv writes it"/>
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Audits: some runs of a campaign are played once more beside two finer models, as `drill verify` does, to measure how wrong its results are."""
+"""Audits: some runs of a campaign are played once more together with two finer models, as `drill verify` does, to measure how wrong its results are."""
 import math
 
 import numpy
@@ -8,7 +8,7 @@ from drill_rig_sim.campaign.runner import GOOD
 SHARE = 0.02       # of the runs, drawn at random
 SMALL = 20         # campaigns with fewer runs have no audits unless their plan asks for them
 EXTREMES = 6       # most runs that are audited because a result of theirs is the largest or the least
-OF_RUNS = 10       # and no more than one in so many runs, at least two
+OF_RUNS = 10       # and no more than one in this number of runs, at least two
 DRAWN = "drawn"
 VERDICTS = {"right": "right", "warned": "wrong, and warned of", "silent": "wrong without a warning", "unknown": "not known"}
 

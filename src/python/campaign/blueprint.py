@@ -125,7 +125,7 @@ class Blueprint:
         return self.file("scene.yaml", self.scene_of(row))
 
     def judge_files(self):
-        """What drill score is told, its plan as a file."""
+        """The options of drill score, its plan as a file."""
         return {**self.judge, **({"plan": self.file("plan.csv", self.judge["plan"])} if "plan" in self.judge else {})}
 
     def file(self, name, text):
@@ -142,7 +142,7 @@ class Blueprint:
 
 
 def told(error, file=""):
-    """An error of the user's code in one line: where in his file, else where at all."""
+    """An error of the user's code in one line: the place in the user's file, else the place of the error."""
     frames = traceback.extract_tb(error.__traceback__)
     at = ([frame for frame in frames if frame.filename == file] or frames)[-1]
     if isinstance(error, SyntaxError):

@@ -107,7 +107,7 @@ def audit(blueprint, identity, results, options):
     numbers = audits.chosen(rows, results.about())
     todo = [(row["key"], row["values"]) for row in rows if row["number"] in numbers and row["key"] not in there]
     if todo:
-        print("%s: %d runs are audited, beside two finer models each, %d to do" % (results.file, len(numbers), len(todo)), flush=True)
+        print("%s: %d runs are audited with two finer models each, %d to do" % (results.file, len(numbers), len(todo)), flush=True)
         do(blueprint, todo, identity, results, options, AUDITS)
 
 

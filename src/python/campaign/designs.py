@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Which values the runs of a campaign take: grid, list, Latin hypercube, Sobol's sequence, and the pairs of samples that his indices need."""
+"""Which values the runs of a campaign take: grid, list, Latin hypercube, Sobol's sequence, and the pairs of samples that Sobol's indices need."""
 import itertools
 import math
 

@@ -18,7 +18,7 @@ import distributed
 from drill_rig_sim.campaign.runner import DIED, Runner
 
 PLUGIN = "drill_campaign"
-PAGE = "127.0.0.1:0"  # Dask's own page, for this machine alone; it needs bokeh
+PAGE = "127.0.0.1:0"  # Dask's own page, only for this machine; it needs bokeh
 AHEAD = 3  # tasks that wait beside each that is done: a worker is never idle, and the scheduler's memory stays small
 LOGGED = 1000  # entries of Dask's logs, which are not read here and grow by kilobytes a run
 AT_ONCE, MOST_AT_ONCE = 0.2, 20  # so long runs last that go in one task [s], and how many they are at most
@@ -158,7 +158,7 @@ def work(client, blueprint, tasks, identity, take, verified=False):
 
     asked = identity, verified
     send_all(client, iter(tasks), asked, (1 + AHEAD) * max(1, len(client.scheduler_info()["workers"])), taken)
-    # workers died, of one of the runs that they had: one after the other tells which
+    # workers died, of one of the runs that they had: running them one after the other shows which
     for key, row in list(suspects):
         send_all(client, iter([(key, row)]), asked, 1, lambda key, row, answer: take(key, row, answer or (DIED, "its workers died, one after the other", {}, 0.0, "")))
 

@@ -163,7 +163,7 @@ def judge_of(entry, base):
 
 
 def report_of(entry, factors, outputs):
-    """The map's two factors and output, for each value of another factor where it says so; and by which output runs are worst: by default the first of each,
+    """The map's two factors and output, for each value of another factor if `each` is given; and by which output runs are worst: by default the first of each,
     the largest."""
     parts = entry.mapping(("map", "each", "worst")) if entry is not None else {}
     shown = {"map": factors[:2] + outputs[:1] if len(factors) > 1 else [], "each": None, "worst": outputs[0], "least": False}

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What is seen before a campaign runs, so that it is refused by the plan's line: factors' keys, times, the controller and its parameters, and by the rig of one of
-the first runs what only a rig can tell."""
+the first runs the checks that need a rig."""
 import inspect
 import re
 
@@ -18,7 +18,7 @@ TRIED = 10  # of the first runs, whether one can be built
 CLASS = CONTROLLER + "class"  # in a plan's places
 NEEDED = ("period", "done", "step")  # of a law
 
-# --- by the plan alone
+# --- only by the plan
 
 
 def check_seed(item, parts):
@@ -73,7 +73,7 @@ def check_parameters(entry, law, given, places, multiplied):
     try:
         wanted = inspect.signature(law).parameters.values()
     except (TypeError, ValueError):
-        return  # tells nothing of its own
+        return  # has no check of its own
     allowed = [one.name for one in wanted if one.kind in (one.POSITIONAL_OR_KEYWORD, one.KEYWORD_ONLY)]
     for name, place in named.items():
         if name not in allowed and not any(one.kind == one.VAR_KEYWORD for one in wanted):

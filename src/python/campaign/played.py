@@ -26,7 +26,7 @@ class Unjudged(Exception):
 class Played:
     """A run that is over. `t` [s]; readings(name), truth(name), bit(name): a number each, by the fields of RigState and BitTruth, nan where a reading
     has not been zeroed (ZEROED); `run`: as drill score takes it;
-    `whole`: that from its beginning on, with what does not count; `scores`: drill score's; `done`: whether the controller says so (None without one)."""
+    `whole`: that from its beginning on, with what does not count; `scores`: drill score's; `done`: whether the controller reports it (None without one)."""
 
     def __init__(self, blueprint, record, states, done):
         self.done, self._record, self._states = done, record, states

@@ -7,7 +7,7 @@ from drill_rig_sim.campaign import audits
 from drill_rig_sim.campaign.report_pictures import plt
 
 NONE = "No run was audited: %s."
-SHOWN = ("%d of %d runs were played once more beside two finer models of them, as <code>drill verify</code> does (%s): %s. An error is the root mean square of an output's "
+SHOWN = ("%d of %d runs were played once more together with two finer models of them, as <code>drill verify</code> does (%s): %s. An error is the root mean square of an output's "
          "difference to the finest model over 3 s, as a share of the output's range; the worst 3 s of each run count. The tolerance is %s (red in the picture).")
 
 

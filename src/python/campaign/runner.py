@@ -18,7 +18,7 @@ GOOD, REFUSED, FAILED, CONTROLLER, JUDGE, CPU, WALL, MEMORY, DIED = (
 
 
 ENDS = 5.0  # so long a process that has closed its answers may take to be gone [s]
-AUDIT_COST = 50.0  # so many times the CPU and wall time of a run its audit may take
+AUDIT_COST = 50.0  # how many times the CPU and wall time of a run its audit may take
 
 
 class OverTime(BaseException):

@@ -9,9 +9,9 @@ PLAYED = tuple(name for name in SIGNALS if name not in ("time", "block_velocity"
 
 
 def bag_rows(file, namespace, every, say):
-    """Rows of rig_state in the order in which it was recorded, `every` so many seconds of its stamps. RecordError where there is none."""
+    """Rows of rig_state in the order in which it was recorded, one row each `every` seconds of its stamps. RecordError where there is none."""
     try:
-        import rosbag  # needed for bags alone
+        import rosbag  # needed only for bags
     except ImportError:
         raise RecordError("%s: bags need Debian's python3-rosbag" % file) from None
     try:

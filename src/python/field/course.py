@@ -1,17 +1,17 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The height of a recorded block as a course in time: the noise of its gauge does not move it back and forth, and its speed has no jumps."""
+"""The height of a recorded block as a trajectory in time: the noise of its gauge does not move it back and forth, and its speed has no jumps."""
 import numpy
 
-BAND = 3.0           # of the gauge's noise in standard deviations, half the band in which the course lies
+BAND = 3.0           # of the gauge's noise in standard deviations, half the band in which the trajectory lies
 WIDEST = 0.06        # half the band at most [m]: what moves more is the block
 STEADY = 0.1         # of a change of speed, what a speed that counts as constant may change from row to row
 FINEST = 5e-4        # of resolutions that matter [m]
 SEEN = 0.01          # of the way between two rows, what of a ramp can be seen
-FINE = 1e-3          # half a band of a gauge by which the course need not be smoothed [m]
+FINE = 1e-3          # half a band of a gauge by which the trajectory need not be smoothed [m]
 TURNS = 5e-4         # speed of a block that moves [m/s]
 STANDS = 0.2         # of the speed before and behind: slower, the block stands where its gauge allows it
 LOWER_HALF = 0.3246  # mean size of the smaller half of normal numbers, in their standard deviations
-ROUNDED = 4.0        # a corner is rounded on each side over so many half bands by its change of speed [s]: by one half band at most
+ROUNDED = 4.0        # a corner is rounded on each side over this number of half bands, divided by its change of speed [s]: by one half band at most
 
 
 class Course:
@@ -36,7 +36,7 @@ class Course:
 
 
 def half_band(gauge, heights):
-    """Half the width [m] of the band around `heights`, which were made of a gauge's, in which the true course lies: by the gauge's resolution or its noise."""
+    """Half the width [m] of the band around `heights`, which were made of a gauge's, in which the true trajectory lies: by the gauge's resolution or its noise."""
     step = resolution(gauge)
     noise = min(scatter(heights[::every]) for every in (1, 2, 3))  # what a resolution does to a constant speed may look like noise in every row
     return float(min(0.51 * step if noise < step else BAND * noise, WIDEST))
@@ -117,7 +117,7 @@ def between_steady(corners, slopes, before, after):
 
 def with_stops(times, heights, band):
     """The heights of a taut line's corners, where a block that creeps through the band between faster moves is held still. Friction would act to one side
-    of a block that creeps, and its gauge tells no creeping."""
+    of a block that creeps, and its gauge does not show the creeping."""
     heights, k = heights.copy(), 0
     speed = numpy.abs(numpy.diff(heights) / numpy.diff(times))
     slow = (numpy.abs(numpy.diff(heights)) <= 2.0 * band) & (band > 0.0)

@@ -9,8 +9,8 @@ ENOUGH = 1e-3          # by which the sum of squares in scatters may still fall 
 SETTLED = 0.05         # change of the scatter from round to round that needs no other [-]
 ITERATIONS, LATER = 3, 4  # of the first round, as a rule, and points of a later one
 REPLICAS = 12          # of the model's inputs with noise added
-FEW = 8                # numbers of a signal that tell their scatter
-FEWEST = 4             # of them that tell a variance
+FEW = 8                # fewest numbers of a signal that determine their scatter
+FEWEST = 4             # fewest that determine a variance
 HALVINGS = 30          # in search of a scatter
 
 
@@ -51,7 +51,7 @@ class Problem:
 
     def __init__(self, parameters, model, observed, signals, fitted, tell=lambda points, expected: None, replicas=None, kinds=None,
                  errors=0.0):
-        """`tell`: is given how many points have been tried and about how many it takes in all, whenever there are more. `kinds`: of each number, whose scatter is one;
+        """`tell`: called with the number of points tried and about the number of all, whenever there are more. `kinds`: of each number, whose scatter is one;
         None: the signals. `errors`: standard deviation of each number that is known, beside that scatter: of a mean of few rows that vary much."""
         self.errors = numpy.broadcast_to(errors, numpy.shape(observed))
         self.replicas, self.kinds = replicas, numpy.asarray(signals if kinds is None else kinds)
@@ -100,7 +100,7 @@ class Problem:
         self.moved = [k for k in self.moved if numpy.nan_to_num(matrix[:, k], nan=1.0).any()]
 
     def plan_points(self, later, is_first=False):
-        """How many points it takes in all, about, where so many later rounds are left, after the first one where that `is_first`."""
+        """About how many points it takes in all, with this number of later rounds left; after the first round if `is_first`."""
         self.expect(self.runs + later * LATER + is_first * ITERATIONS * (1 + len(self.moved)) + (REPLICAS if self.replicas else 0))
 
     def expect(self, points):
@@ -126,7 +126,7 @@ def fit(problem, level=0.95):
     from scipy.stats import t as student_t  # what an earlier fit found is applied without SciPy
     parameters, names = problem.parameters, sorted(set(problem.kinds[problem.rows]))
     x = numpy.array([parameter.start for parameter in parameters], dtype=float)
-    rounds = ROUNDS if len(names) > 1 or problem.errors.any() else 1  # one scatter alone moves no minimum
+    rounds = ROUNDS if len(names) > 1 or problem.errors.any() else 1  # a single scatter moves no minimum
     problem.plan_points(rounds - 1, True)
     if not numpy.isfinite(problem.predict(x)[problem.rows]).any():
         raise FitError("nothing can be predicted at the parameters' start values")
@@ -157,7 +157,7 @@ def fit(problem, level=0.95):
 
 
 def scatters(problem, off):
-    """Of each kind the root mean square of what is left beyond the known errors. A few numbers may be fitted exactly, which tells nothing of their scatter: they get the share of their size
+    """Of each kind the root mean square of what is left beyond the known errors. A few numbers may be fitted exactly, which does not determine their scatter: they get the share of their size
     that is left of the other kinds."""
     left, sizes, counts = {}, {}, {}
     for name in problem.scatter:
@@ -216,7 +216,7 @@ def minimum(problem, begin):
 
 
 def inverse(information):
-    """In the parameters' own scales; infinite of what the data do not tell."""
+    """In the parameters' own scales; infinite where the data do not determine it."""
     sizes = numpy.sqrt(numpy.diag(information))
     told = sizes > 0.0
     covariance = numpy.diag(numpy.where(told, 0.0, numpy.inf))

@@ -45,7 +45,7 @@ class Follow:
     block itself would be followed against the ringing of the string on its lines, which makes that worse. The drum never goes against the record, not to make
     up for what it is off either: friction of rail, sheaves and string would act the other way. Where pipe was added or taken away the record waits until the
     rig has done so too, and the bit is where it then belongs."""
-    period = 0.05      # [s]: jerks of longer steps would ring in the string
+    period = 0.05      # [s]: longer steps of the speed would ring in the string
     catch_up = 0.2     # in which the drum makes up for what it is off [s]
     to_place = 0.1     # fastest way of the bit to where it belongs after a connection [m/s]
     to_place_in = 1.0  # it slows down in [s]
@@ -128,7 +128,7 @@ class Follow:
         return readings.bit_depth + self.way[connection.leave] - self.way[connection.back]
 
     def standing(self, record):
-        """How long after each corner of the drum's course the string neither moves nor turns nor hangs in the slips [s]."""
+        """How long after each corner of the drum's trajectory the string neither moves nor turns nor hangs in the slips [s]."""
         ends = [self.drum.corners[numpy.abs(self.drum.after) > TURNS], record.time[[still.begin for still in self.stands]], record.time[-1:]]
         if "top_drive_speed" in record:
             ends.append(record.time[numpy.abs(record.at("top_drive_speed", record.time)) > TURNING])
@@ -205,7 +205,7 @@ def drum_course(record, stands, heights, rig, rests):
 
 
 def from_rest(times, heights, band, acceleration, rests):
-    """A course whose block stands before the first row, as the rig does that follows it; by a coarse gauge if it `rests`."""
+    """A trajectory whose block stands before the first row, as the rig does that follows it; by a coarse gauge if it `rests`."""
     if band >= FINE and not rests:
         return Course(times, heights, band, acceleration)
     before = times[0] - (times[1] - times[0]) * numpy.arange(STANDS_BEFORE, 0, -1)

@@ -104,7 +104,7 @@ def delimiter_over(lines, span, delimiter):
 
 
 def joined_names(lines, delimiter, wanted):
-    """Names that stand in several lines, a part in each; [] where a line holds data. Of a column's names one line's is taken where that alone is known."""
+    """Names that stand in several lines, a part in each; [] where a line holds data. Of a column's names one line's is taken where only that is known."""
     rows = aligned(lines) if delimiter == WIDE else [names_in(line, delimiter) for line in lines]
     if any(holds_data(row) or is_line_of_units(row) for row in rows) or any(line.count('"') % 2 for line in lines):
         return []

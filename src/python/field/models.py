@@ -171,7 +171,7 @@ class Evaluator:
     """Runs a model's tasks here, on processes of this machine, or on the workers of a Dask cluster. `workers`: of processes; None: one for each core where a point takes long."""
 
     def __init__(self, model, workers=None, scheduler=None, tell=lambda points: None):
-        """`tell`: is given how many points are done, whenever there are more."""
+        """`tell`: called with the number of points done, whenever there are more."""
         self.model, self.function, self.tell = model, play_record if isinstance(model, RecordModel) else hang_string, tell
         self.workers, self.pool, self.client, self.open, self.done = workers, None, None, [], 0.0
         if scheduler:
@@ -190,7 +190,7 @@ class Evaluator:
         return self.run(self.model.replicas(point, count), count)
 
     def run(self, tasks, points):
-        """Answers to tasks that are so many points."""
+        """Answers to tasks, each of one or more points."""
         answers = []
         for answer in self.answers(tasks):
             answers.append(answer)

@@ -14,12 +14,12 @@ SPIKE = 5            # rows in a row of which the middle one counts as the depth
 EMPTY = 0.95         # of the least load of a string, what the empty block may weigh
 SETTLES = 10.0       # time from the start of a move in which waves decay [s]
 STRETCH = 0.5, 1e-3  # way from a move's start until all of the string moves with the block: so much [m], and this share of the bit's depth
-TWIST = 2.0, 3e-3    # turns from the start of rotation until all of the string turns: so many, and as many for each metre of depth
+TWIST = 2.0, 3e-3    # turns from the start of rotation until all of the string turns: a number, and a number for each metre of depth
 EMPTY_SETTLES = 2.0  # the same of the empty block [s]
 CALM = 0.1           # share by which the load of the empty block may differ
 SHORTEST = 5.0       # of a move that is averaged [s]
 LEAST_ROWS = 4
-VARIES = 3.0, 0.01   # of a load that is reported as uneven: so many times the usual deviation, and this share of the load
+VARIES = 3.0, 0.01   # of a load that is reported as uneven: this number of times the usual deviation, and this share of the load
 UNKNOWN = "rotating_unknown"  # after a gap that hides the last way of the block
 STILL_BLOCK = 0.02    # change of height through a gap in which the block stood [m]
 CLEAR = 0.5           # way of the block through a gap that shows how it came to where it is [m]
@@ -64,7 +64,7 @@ def deviation(times, values):
 
 
 def moves_of(record, passed=None):
-    """All Moves of a record, in their order, and lines on those that cannot be. `passed`: rows that are left out. RecordError where the record lacks what tells them."""
+    """All Moves of a record, in their order, and lines on those that cannot be. `passed`: rows that are left out. RecordError where the record lacks the signals for them."""
     for signal in ("block_height", "bit_depth", "hook_load"):
         if signal not in record:
             raise RecordError("%s: has no %s; needed: block_height, bit_depth and hook_load%s" % (record.name, signal, record.why_missing(signal)))
@@ -79,7 +79,7 @@ def moves_of(record, passed=None):
     found = [move for begin, end in runs(kinds, speeds) for move in [steady_part(record, kinds[begin], speeds, begin, end)] if move is not None]
     known = [move for move in found if move.motion != UNKNOWN]
     left_out = [move for move in found if move.motion == UNKNOWN]
-    lines = ["%s: %d moves are left out: in a gap before them the block moved by an unknown way (first: rotating at %.1f s)" %
+    lines = ["%s: %d moves are left out: in a gap before them the block moved by an unknown distance (first: rotating at %.1f s)" %
              (record.name, len(left_out), left_out[0].from_time)] if left_out else []
     moves, odd = plausible(record, known)
     return moves, lines + odd + uneven(record, moves)
@@ -96,7 +96,7 @@ def uneven(record, moves):
 
 
 def plausible(record, moves):
-    """Without loads that contradict what bit and block tell, and lines on these."""
+    """Without loads that contradict the depths of bit and block, and lines on these."""
     hung = [move.load for move in moves if not move.empty]
     if not hung:
         return moves, []
@@ -105,7 +105,7 @@ def plausible(record, moves):
     heavy = [move for move in moves if move.empty and move.load > EMPTY * least]
     lines = ["%s: %d moves are left out, %s (first: at %.1f s)" % (record.name, len(some), why, some[0].from_time) for some, why in (
         (light, "with less than half of the usual load: the bit's depth moves, but the string may be in the slips"),
-        (heavy, "with the load of the string: the block moves, but the bit's depth stands")) if some]
+        (heavy, "with the load of the string: the block moves, but the bit's depth does not change")) if some]
     return [move for move in moves if move not in light and move not in heavy], lines
 
 
@@ -148,7 +148,7 @@ def last_ways(record, speeds):
     through which the block moved, but not clearly one way."""
     steps, height = numpy.diff(record.time), record.at("block_height", record.time)
     changes = numpy.diff(height)
-    seen = numpy.sign(changes) == numpy.sign(speeds)  # a smoothed course goes on beside a gap where the gauge stands
+    seen = numpy.sign(changes) == numpy.sign(speeds)  # a smoothed trajectory goes on beside a gap where the gauge stands
     moved = numpy.where((numpy.abs(speeds) > MOVING) & seen, numpy.sign(speeds), 0.0)
     hidden = (steps > long_step(record.time)) & (numpy.abs(changes) > max(resolution(height), STILL_BLOCK))
     moved[hidden] = numpy.where(numpy.abs(changes[hidden]) >= CLEAR, numpy.sign(changes[hidden]), numpy.inf)

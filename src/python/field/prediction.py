@@ -4,8 +4,8 @@ import numpy
 
 
 class Prediction:
-    """By the model's numbers: `predicted`, and half the width of the 95 % band: `confidence` by the parameters alone, `band` with the scatter of a single number. Not
-    a number where nothing was predicted, infinite where the band depends on what the fit's data did not tell: `untold`, names of parameters and of signals that were
+    """By the model's numbers: `predicted`, and half the width of the 95 % band: `confidence` only by the parameters, `band` with the scatter of a single number. Not
+    a number where nothing was predicted, infinite where the band depends on what the fit's data do not determine: `untold`, names of parameters and of signals that were
     wholly held out."""
 
     def __init__(self, model, problem, fitted, values):

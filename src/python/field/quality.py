@@ -90,7 +90,7 @@ def is_among(cell, good):
 
 
 def meanings_of(table, place, kinds, remarks):
-    """Of the different cells of a column; none where these say nothing. RecordError where the name is that of flags alone and which of them are bad cannot be known;
+    """Of the different cells of a column; none where these say nothing. RecordError where the name is only that of flags and which of them are bad cannot be known;
     a line where it may be another. What a rig does and a measure of quality, as in per cent, are no flags."""
     name, sense = table.names[place], flag_name(table.names[place])[0]
     meanings, known, unclear = of_module().flag_cells(without_brackets(name), kinds)

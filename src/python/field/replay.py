@@ -168,7 +168,7 @@ def play(rig, record, left_out=()):
     there, shown = numpy.isfinite(law.clock), numpy.array(shown)
     times = numpy.asarray(law.clock)[there]
     if law.farthest > BEHIND:
-        remarks.append("the scene's block was up to %.2f m off the record: its drawworks could not follow" % law.farthest)
+        remarks.append("the scene's block was up to %.2f m off the record, because its winch could not follow; use a larger rig.hoisting.max_speed or max_acceleration" % law.farthest)
     load = shown[there, signals.index("hook_load")] if "hook_load" in signals else None
     recorded = compared(record, signals, law.stands)
     simulated = {name: numpy.interp(record.time, times, shown[there, k]) for k, name in enumerate(signals)}

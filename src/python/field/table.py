@@ -22,7 +22,7 @@ SIGNED_POWER = r"10\s*(?:\^|\*\*)\s*-?\d+|10[\u2070\u00b9\u00b2\u00b3\u2074-\u20
 POWER = re.compile(SIGNED_POWER + r"|10{2,6}")  # alone in brackets: `Hook Load (1000) (lbf)`
 LAST_POWER = re.compile(r"(?<![\w.^*\u00d7])(?:%s)$" % SIGNED_POWER)  # `Hook Load 10^3 (lbf)`; that with an x is a FACTOR
 ALL_NAMES = {name for ranks in RANKS.values() for name in ranks}
-SEPARATOR, MOST_PARTS = re.compile(r"\s*[,/_]\s*|\s+(?:-\s+)?"), 4  # before a unit without brackets, and so many of its own: `gal_per_min`
+SEPARATOR, MOST_PARTS = re.compile(r"\s*[,/_]\s*|\s+(?:-\s+)?"), 4  # before a unit without brackets, and the most parts of its own: `gal_per_min`
 
 
 class RecordError(Refusal):
@@ -133,11 +133,11 @@ def check_delimiter(file, heading):
     """RecordError where another sign parts the cells as well, or where names hold the delimiter, as commas before units."""
     called = {sign: name for name, sign in DELIMITERS.items() if name.isalpha()}
     if heading.tie:
-        raise RecordError("%s:%d: names and rows are parted by %s as well as by %s, into other numbers; needed: delimiter: %s or %s in a map" %
+        raise RecordError("%s:%d: names and rows can be split at %s or at %s, with different results; needed: delimiter: %s or %s in a map" %
                           (file, heading.first + 1, *2 * (called[heading.delimiter], called[heading.tie])))
     units = [unit for name, unit in zip(heading.names, heading.names[1:]) if word(name) in ALL_NAMES and is_unit(unit) and word(unit) not in ALL_NAMES]
     if heading.delimiter == "," and len(units) > 1:
-        raise RecordError("%s:%d: its names hold the delimiter, a comma before the unit (%s); needed: names in quotes, or units in brackets" % (file, heading.first + 1, shown(units, 4)))
+        raise RecordError("%s:%d: its names contain the delimiter, a comma before the unit (%s); needed: names in quotes, or units in brackets" % (file, heading.first + 1, shown(units, 4)))
 
 
 class OneWell:
@@ -163,7 +163,7 @@ def below(file, line, text, before, names):
     if before:
         k = next((k for k, both in enumerate(zip(spans, before[1])) if not overlap(*both)), 0)
         if 0 < k < len(names) - 1 and any(a[k - 1][1] < b[k][0] and b[k][1] < a[k][0] and overlap(a[k], b[k + 1]) for a, b in ((spans, before[1]), (before[1], spans))):
-            raise RecordError("%s:%d: the cells do not stand below those of line %d from %s on: a cell is empty in one of these lines; needed: - in empty cells" %
+            raise RecordError("%s:%d: the cells are not aligned with those of line %d from %s on: a cell is empty in one of these lines; needed: - in empty cells" %
                               (file, line, before[0], names[k]))
     return line, spans
 
@@ -199,7 +199,7 @@ class Again:
 
 
 def unit_of_both(file, line, name, cell, unit):
-    """Of the line of units and of the column's name, which may hold a factor alone; RecordError where they differ."""
+    """Of the line of units and of the column's name, which may hold only a factor; RecordError where they differ."""
     said = cell.strip(" []()<>{}")
     if said and unit and FACTOR.fullmatch(unit):
         return "%s %s" % (unit, said)

@@ -10,7 +10,7 @@ class BagSource(ReadSource):
 
     def __init__(self, file, namespace=None):
         try:
-            import rosbag  # needed for bags alone
+            import rosbag  # needed only for bags
         except ImportError:
             raise RunError("%s: bags need Debian's python3-rosbag" % file) from None
         try:

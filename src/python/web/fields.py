@@ -41,7 +41,7 @@ NUMBERS = (("hook_load", "block_height", "Block"), ("wob", "", ""), ("rop", "", 
 # of the depth log, over new hole
 DEPTH_TRACKS = (("rop", "ROP"), ("wob", "WOB"), ("torque", "Torque"), ("mse", "MSE, surface"), ("differential", "Diff. pressure"))
 
-# flags that only the truth tells: no rig can sense them
+# flags that are only in the truth: no rig can sense them
 UNSENSED = tuple(flag for flag in FLAGS if flag in lockstep.UNSENSED)
 ACCURACY = "accuracy_warning"  # stands apart: of the simulation, not of the rig
 SENSED = tuple(flag for flag in FLAGS if flag not in UNSENSED)

@@ -13,7 +13,7 @@ FLAGS = {
     "drive_tripped": ("red", "Top drive tripped: it coasts"),
     "commands_timed_out": ("red", "Commands stopped: brake set, drive coasts"),
     "command_clamped": ("amber", "Command clamped to a limit"),
-    "stop_reached": ("amber", "Block at its lowest or highest place"),
+    "stop_reached": ("amber", "Block at its lowest or highest position"),
     "winch_limited": ("amber", "Winch held back by a limit"),
     "top_drive_limited": ("amber", "Top drive at a limit of torque, speed or power"),
 }

@@ -90,7 +90,7 @@ class LawBox:
             self.news.notify_all()
 
     def run(self, follower):
-        """In a thread: the law goes by the latest state alone, and by none that is late; then its commands stop, and the node sets the brake."""
+        """In a thread: the law uses only the latest state, and none that is late; then its commands stop, and the node sets the brake."""
         while self.follower is follower:
             with self.news:
                 self.news.wait(0.5)

@@ -14,7 +14,7 @@ import time
 
 PERIOD = 0.1   # between looks at orders and rig [s]
 SENDING = 0.3  # that rospy's threads take to send the last messages [s]
-PATIENCE = 10  # until a rig is heard, whose parts a law needs [s]
+PATIENCE = 10  # until a rig's messages are received, whose parts a law needs [s]
 END = object()
 
 

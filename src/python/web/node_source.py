@@ -15,11 +15,11 @@ BEHIND = 1.0    # so late, what is shown is not the present, and no law may go b
 TOO_LATE = 5.0  # so late, what waits to be read is given up: the topics are subscribed to anew [s]
 FRESH = 2.0     # a topic that has been silent for longer says nothing about another [s]
 WATCH = 1.0     # between looks at the master [s]
-SILENT = 1.5    # without a message for so long, the node is not heard any more [s]
+SILENT = 1.5    # without a message for this time, the node counts as lost [s]
 
 
 class NodeSource:
-    """Topics of the process' ROS namespace. `on_state`: called with each message of rig_state, as bytes, in rospy's thread; None: nobody wants it.
+    """Topics of the process' ROS namespace. `on_state`: called with each message of rig_state, as bytes, in rospy's thread; None: not needed.
     `on_join`: called whenever a master has been joined. `node`: how this process' node is called."""
     live = True
 
@@ -102,7 +102,7 @@ class NodeSource:
                 self._margin = margin
 
     def lag(self):
-        """How late rig_state is read [wall s]: since when a later stamp has been seen on a slower topic. Bytes that wait in a socket do not tell."""
+        """How late rig_state is read [wall s]: since when a later stamp has been seen on a slower topic. Bytes that wait in a socket do not show it."""
         now = time.monotonic()
         with self._lock:
             later = [wall for wall, stamp in self._seen if stamp > self.newest]

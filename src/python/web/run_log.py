@@ -68,7 +68,7 @@ class RunLog:
         self.depth.add(rows["hole_depth"][deeper], kept)
 
     def _drills_steadily(self, rows):
-        """Whether the reading of the rate of penetration is that of drilling alone: at first it is too small, and MSE by it far too large."""
+        """Whether the reading of the rate of penetration is only that of drilling: at first it is too small, and MSE by it far too large."""
         idle_at = numpy.maximum.accumulate(numpy.where(rows["rop"] > DRILLS, -math.inf, rows["stamp"]))
         idle_at = numpy.maximum(idle_at, self.idle_at)
         self.idle_at = idle_at[-1]

@@ -18,7 +18,7 @@ const std::array<FlagRow, flag_count>& flag_rows()
       {Flag::drive_tripped, "drive_tripped", "top drive tripped: it coasts", Level::alarm},
       {Flag::commands_timed_out, "commands_timed_out", "commands stopped: brake set, drive coasts", Level::alarm},
       {Flag::command_clamped, "command_clamped", "command clamped to a limit", Level::caution},
-      {Flag::stop_reached, "stop_reached", "block at its lowest or highest place", Level::caution},
+      {Flag::stop_reached, "stop_reached", "block at its lowest or highest position", Level::caution},
       {Flag::winch_limited, "winch_limited", "winch held back by a limit", Level::caution},
       {Flag::top_drive_limited, "top_drive_limited", "top drive at a limit of torque, speed or power", Level::caution},
       {Flag::brake_set, "brake_set", "drawworks brake set", Level::normal},

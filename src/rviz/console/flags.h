@@ -11,7 +11,7 @@
 
 namespace drill_rig_sim::console
 {
-/// The flags of rig_state that are told as a list.
+/// The flags of rig_state that are shown as a list.
 enum class Flag : std::size_t
 {
   accuracy_warning,

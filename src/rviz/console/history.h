@@ -21,7 +21,7 @@ struct Sample
 {
   double time = 0.0;   // simulated [s]
   double depth = 0.0;  // of the hole [m]
-  bool begins = true;  // nothing was heard just before
+  bool begins = true;  // nothing was received just before
   std::array<double, quantity_count> value{}, least{},
       most{};  // mean (of an angle the last), smallest and largest of its interval
 };

@@ -15,7 +15,7 @@ enum class Level
   alarm
 };
 
-/// What the rig can do, as rig_limits tells it [SI]; NaN before it has, 0 where a limit may be off.
+/// What the rig can do, as rig_limits reports it [SI]; NaN before it has, 0 where a limit may be off.
 struct RigAbilities
 {
   double max_block_speed = missing, max_hook_load = missing, min_hook_load = missing, trip_hook_load = missing;

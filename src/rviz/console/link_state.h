@@ -35,7 +35,7 @@ struct Heard
 {
   bool shown = false, master = false, publisher = false;
   double state_age = 0.0, diagnostics_age = 0.0;
-  double speed = 1.0;  // that was asked for, simulated seconds per wall second; 0: as fast as it goes
+  double speed = 1.0;  // that was asked for, simulated seconds per wall second; 0: as fast as possible
   RunState run_state = RunState::unknown;
 };
 

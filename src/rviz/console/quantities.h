@@ -96,7 +96,7 @@ constexpr std::size_t index_of(Quantity quantity)
 
 constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 
-/// All quantities at one instant [SI]; what is not known is NaN, and `why` says so in two words.
+/// All quantities at one instant [SI]; what is not known is NaN, and `why` gives the reason in two words.
 struct Values
 {
   Values()

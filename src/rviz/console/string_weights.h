@@ -32,7 +32,7 @@ struct StringWeight
 /// "Pick-up weight 512.3 kN at 1520.00 m".
 std::string text_of(const StringWeight& weight, UnitSystem system);
 
-/// What tells a move, of one rig_state, in SI.
+/// What shows a move, of one rig_state, in SI.
 struct MoveReading
 {
   double time;                          // simulated [s]

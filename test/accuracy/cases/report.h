@@ -9,7 +9,7 @@
 /// Published and closed-form cases: each prints one line `case, ours, published, relative difference, bound, source`.
 namespace drill_rig_sim
 {
-/// One figure of ours beside one that somebody else computed or derived.
+/// One figure of ours beside one that was computed or derived elsewhere.
 struct CaseLine
 {
   std::string name;  ///< with the unit, no comma: "tip z at P 300 N [in]"
@@ -28,7 +28,7 @@ public:
   void add(const CaseLine& line);
   /// `published` is a band instead of a figure: holds if low <= ours <= high. The line shows the nearer limit, and the bound 0.
   void add_band(const std::string& name, double ours, double low, double high, const std::string& source);
-  /// A case that could not be run (data absent): a line that says so; no failure, but the program's exit status tells.
+  /// A case that could not be run (data absent): a line that reports it; no failure, but the program's exit status shows it.
   void skip(const std::string& name, const std::string& why);
   bool all_hold() const { return failed_ == 0; }
   int lines() const { return lines_; }

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Scenes from outside, by an author who knew neither the rules of level auto nor the operations matrix: is the default right, or does it say in time that it
+"""Scenes from outside, by an author without knowledge of the rules of level auto nor the operations matrix: is the default right, or does it say in time that it
 may not be?
 
 Each is played by the default and by two references (free nodes, TR-BDF2; 2.5 ms on quarter joints, and 5 ms on half joints). Of every output and

@@ -264,7 +264,7 @@ class Verdict:
         self.closure = self.dissipation = float('nan')  # of the energy balance, shares of the throughput
 
     def balances(self):
-        """Also where nothing was booked."""
+        """Also where nothing was counted."""
         return not (self.closure > CLOSURE or self.dissipation > DISSIPATION)
 
 

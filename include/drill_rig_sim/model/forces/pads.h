@@ -16,7 +16,7 @@ namespace drill_rig_sim
 ///   friction    f(s, ds/dt) of |F|, with the wall's mu, Stribeck curve, bristle and rest there (contact/surface_friction.h)
 ///   on the tool f_1 t + f_2 c, and as a moment -R f_1 c + R f_2 t
 /// A tool that turns is braked by mu |F| R and pushed by mu |F| to the right of F, looking downhole. Pads on a sleeve that does
-/// not turn: a friction_radius of 1 mm, say; they then rub along the hole alone.
+/// not turn: a friction_radius of 1 mm, say; they then rub only along the hole.
 ///
 /// Left out: the pads' stroke, and the ripple of one pad after the other.
 extern const Force pads;

@@ -27,7 +27,7 @@ struct GuidedRows
 /// A kernel's, at the two ends of a step. Runs of Stage::guided_nodes or inner_nodes.
 struct GuidedStepKernel
 {
-  /// find_guides() of a run of nodes and the elements between them, but for what the scene alone says.
+  /// find_guides() of a run of nodes and the elements between them, but for what is only in the scene.
   void (*find)(const Model& model, const State& state, Stage& stage, Runs::Run nodes) noexcept;
   /// commit_guided() of inner nodes. `follows`: the share of its way that the string goes towards the side it is pressed to.
   void (*commit)(const Stage& stage, const Workspace& work, double follows, Runs::Run nodes, State& state) noexcept;

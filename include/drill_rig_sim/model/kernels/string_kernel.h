@@ -20,7 +20,7 @@ struct StringTask
   const ElementColumns& elements;
   const Stage& stage;
   double* residual;  ///< 6 a node, of node 0; of the nodes from `first` to `last` overwritten
-  /// Tangent blocks of 36 numbers, of node 0 and of the element above it, overwritten as the residual; null: nobody wants them.
+  /// Tangent blocks of 36 numbers, of node 0 and of the element above it, overwritten as the residual; null: not computed.
   double *diagonal, *upper, *lower;
 };
 

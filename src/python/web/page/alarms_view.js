@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Alarms above all: what lasts, and red ones until they are acknowledged; with a shape, not by colour alone.
+// Alarms above all: what lasts, and red ones until they are acknowledged; with a shape, not only by colour.
 import { byId, make } from "./dom.js";
 import { send } from "./link.js";
 import { on, store } from "./store.js";

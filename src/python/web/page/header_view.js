@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The top line: whether the rig is heard, simulated time and speed, what is under way; units, theme, print.
+// The top line: whether messages of the rig arrive, simulated time and speed, what is under way; units, theme, print.
 import { byId, setText } from "./dom.js";
 import { on, store } from "./store.js";
 import { chooseSystem, clockText, systemOfUnits } from "./units.js";

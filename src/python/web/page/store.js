@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What has come of a run, by the type of its message; views are told when a type has come.
+// What has come of a run, by the type of its message; views are called when a type has come.
 import { BinLog } from "./bins.js";
 
 export const store = { time: new BinLog(), depth: new BinLog(), run: null };

@@ -42,7 +42,7 @@ export function drawString() {
   byId("string_summary").textContent = `At ${clockText(string.t)}: simulated values along the string, not measurements. Tension is effective tension.${unknown}`;
 }
 
-/// The scale ends at the weakest pipe's yield load: collars bear so much more that the curve would be a line.
+/// The scale ends at the weakest pipe's yield load: that of collars is so much higher that the curve would be a line.
 function fitTension(chart, string) {
   const yields = string.yield.filter((value) => value !== null), largest = Math.max(...string.tension.filter((value) => value !== null));
   chart.options.scales.x.max = yields.length ? roundUp(shownValue("force", 1.1 * Math.max(Math.min(...yields), largest))) : undefined;
