@@ -2,6 +2,7 @@
 #ifndef DRILL_RIG_SIM_SRC_SCENE_SURVEY_BODY_H
 #define DRILL_RIG_SIM_SRC_SCENE_SURVEY_BODY_H
 
+#include <array>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -25,6 +26,8 @@ struct CsvDelimiter
   const char* name;  ///< for messages
 };
 
+using CsvDelimiters = std::array<CsvDelimiter, 5>;
+
 /// Where a survey's table stands among the lines of its file.
 struct CsvTable
 {
@@ -35,6 +38,9 @@ struct CsvTable
   CsvDelimiter delimiter{',', ","};
   SurveyHeader header;
 };
+
+/// Whether a column or a line's key names the well: Well Name, UWI, Borehole.
+bool names_well(const std::string& text);
 
 /// Takes the rows below a header into `survey.rows`. Texts that are followed by the same header again (the foot and the head of
 /// a page) or by no station are skipped and reported. What is wrong goes to `problems`: a row of another number of cells, a cell

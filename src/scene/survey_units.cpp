@@ -54,6 +54,11 @@ const UnitName* angle_unit(const std::string& spelling)
   return find_unit(angles(), compact(spelling)).unit;
 }
 
+std::string unit_choices(bool of_angle, const std::string& spelling)
+{
+  return find_unit(of_angle ? angles() : lengths(), compact(spelling)).choices;
+}
+
 std::string survey_unit_names(bool of_angle)
 {
   return listed_units(of_angle ? angles() : lengths());

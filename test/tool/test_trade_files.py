@@ -104,7 +104,7 @@ SURVEYS = {
     "WITSML 2.0 in US survey feet": xml(STATION_2.replace('"m"', '"ft[US]"'), md=3937 / 1200, **VERSION_2),
 }
 NOT_SURVEYS = {
-    "no unit of depth": ("MD,Inc,Azi\n" + stations(), "the header gives no unit"), "grads": ("MD (m),Inc (grad),Azi (grad)\n" + stations(), "allowed: rad, deg, rev, gon"),
+    "no unit of depth": ("MD,Inc,Azi\n" + stations(), "the header gives no unit"), "grads": ("MD (m),Inc (grad),Azi (grad)\n" + stations(), "ambiguous, allowed: gon or deg"),
     "from the bottom up": ("MD (m),Inc (deg),Azi (deg)\n300,0,0\n200,0,0\n0,0,0\n", "from the bottom up"), "negative depths": ("MD (m),Inc (deg),Azi (deg)\n" + stations(md=-1.0), "is not deeper than"),
     "no unit of WITSML": (xml(STATION.replace(' uom="m"', "")), "md: has no unit (uom)"), "positions alone": ("TVD (m),N/S (m),E/W (m)\n0,0,0\n", "no such column in the header"),
 }

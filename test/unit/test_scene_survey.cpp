@@ -104,7 +104,7 @@ TEST(SceneSurvey, WhatMayBeTwoThingsIsRefused)
   EXPECT_TRUE(holds(refusal("MD (ft),Inc (deg),Azi (deg)\n0,0,0\n9,0,0\n", format),
                     "MD (ft): the unit is ft in the header and m in the map"));
   EXPECT_TRUE(holds(refusal("MD (m),Inc (grad),Azi (deg)\n0,0,0\n"),
-                    ":1: Inc (grad): the unit in brackets is not known, allowed: rad, deg, rev, gon"))
+                    ":1: Inc (grad): the unit in brackets is ambiguous, allowed: gon or deg"))
       << "degrees in German, gons in English";
   // thousands or decimals
   EXPECT_TRUE(holds(refusal("MD (ft);Inc (deg);Azi (deg)\n0;0;0\n1,000;2;40\n2,000;3;41\n"), ":3: MD (ft): the comma may be"));
@@ -128,7 +128,7 @@ TEST(SceneSurvey, AMapNamesColumns)
   format.delimiter = ";";
   const SurveyTable table = read("Tiefe;Neigung;Azi Grid;Azi True\n0;0;0;0\n100;5,5;200,5;201\n", format);
   expect_station(table.stations[1], 100.0, 5.5, 200.5);
-  ASSERT_EQ(2u, table.remarks.size());
+  ASSERT_EQ(2u, table.remarks.size()) << "the map says that Tiefe is measured depth";
   EXPECT_TRUE(holds(table.remarks[0], "refer to grid north"));
   format.md.column = "Depth";
   EXPECT_TRUE(holds(refusal("Tiefe;Neigung;Azi Grid\n0;0;0\n", format),
