@@ -17,6 +17,7 @@ namespace
 constexpr std::size_t fewest_of_survey = 5;       // steps
 constexpr double alike = 0.06, most_alike = 0.7;  // share by which steps differ from the usual one, share of the steps that do
 constexpr double far = 3.0, farthest = 100.0;     // from which on a step is unusual: of the usual one, [m]
+constexpr double too_far = 20.0;                  // of the usual one, of a last station whose direction was measured
 constexpr double least_step = 0.3, most_step = 1.3, near = 0.1;  // of the usual step, that a depth with another digit may have
 constexpr double same_direction = 1e-6;                          // [rad]
 
@@ -109,13 +110,13 @@ std::optional<FarEnd> far_end(const SurveyStation& end, const SurveyStation& nei
 std::string line_of(const FarEnd& end, const char* which, const UnitName& unit)
 {
   const std::optional<double> other = end.instead();
-  if (!other) return "";
-  char text[300];
-  std::snprintf(
-      text, sizeof text,
-      "the %s station, at %.10g %s, stands %.6g %s from the next one, the others usually %.4g %s; is a digit of its depth "
-      "wrong (%.10g %s)?",
-      which, end.depth, unit.name, std::abs(end.depth - end.neighbour), unit.name, end.usual, unit.name, *other, unit.name);
+  const double step = std::abs(end.depth - end.neighbour);
+  if (!other && !(end.turns && end.depth > end.neighbour && step > too_far * end.usual)) return "";
+  char text[300], question[60] = "is its depth right?";
+  if (other) std::snprintf(question, sizeof question, "is a digit of its depth wrong (%.10g %s)?", *other, unit.name);
+  std::snprintf(text, sizeof text,
+                "the %s station, at %.10g %s, stands %.6g %s from the next one, the others usually %.4g %s; %s", which, end.depth,
+                unit.name, step, unit.name, end.usual, unit.name, question);
   return text;
 }
 }  // namespace

@@ -22,7 +22,8 @@ std::optional<double> step_in_feet(std::vector<double> depths, std::size_t fewes
 std::string like_feet(const std::vector<SurveyStation>& survey);
 
 /// Where the first or the last station stands far from all others, which are evenly apart, and would not with two digits of its
-/// depth exchanged, one of them another one, one more or one less; empty: nowhere. `unit`: of the depths as they were written.
+/// depth exchanged, one of them another one, one more or one less, or where the last one stands farther away than surveys are
+/// projected; empty: nowhere. `unit`: of the depths as they were written.
 std::string wrong_digit(const std::vector<SurveyStation>& survey, const UnitName& unit);
 
 }  // namespace drill_rig_sim

@@ -9,6 +9,7 @@
 #include "survey_marks.h"
 #include "survey_path.h"
 #include "survey_split.h"
+#include "survey_titles.h"
 #include "survey_words.h"
 
 namespace drill_rig_sim
@@ -231,17 +232,6 @@ private:
   const CsvLine* before_ = nullptr;  // the row taken last
 };
 }  // namespace
-
-bool names_well(const std::string& text)
-{
-  static const std::set<std::string> names = {
-      "well",           "wellname", "wellid",     "wellno",       "wellnumber", "wellbore", "wellborename", "wellboreid",
-      "wellborenumber", "borehole", "boreholeid", "boreholename", "uwi",        "api",      "apino",        "apinumber",
-      "holeid",         "holename", "bhid",       "dhid",         "bohrung",    "puits",    "pozo",         "poco",
-      "pozzo",          "bronn",    "skvazhina",  "odwiert",      "otwor"};
-  const Words words = name_words(text);
-  return names.count(in_one(words, words.size())) > 0;
-}
 
 void take_rows(const std::vector<CsvLine>& lines, const CsvTable& table, const SurveyFormat& format, SurveyRows& survey,
                Problems& problems)

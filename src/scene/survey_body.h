@@ -39,9 +39,6 @@ struct CsvTable
   SurveyHeader header;
 };
 
-/// Whether a column or a line's key names the well: Well Name, UWI, Borehole.
-bool names_well(const std::string& text);
-
 /// Takes the rows below a header into `survey.rows`. Texts that are followed by the same header again (the foot and the head of
 /// a page) or by no station are skipped and reported. What is wrong goes to `problems`: a row of another number of cells, a cell
 /// that is left out of aligned columns, rows of several wells.

@@ -35,7 +35,15 @@ bool is_comment(const std::string& text)
   return (text[0] == '#' && !is_name) || text[0] == '!' || text[0] == '%' || text.compare(0, 2, "//") == 0;
 }
 
-// Lines that are neither empty nor comments; they end in LF, CR LF or CR.
+// of signs that part a header from its rows
+bool is_rule(const std::string& text)
+{
+  const bool has_run =
+      text.find("---") != std::string::npos || text.find("===") != std::string::npos || text.find("___") != std::string::npos;
+  return has_run && text.find_first_not_of(" \t\r,;|+-=_") == std::string::npos;
+}
+
+// Lines that are neither empty nor comments nor rules; they end in LF, CR LF or CR.
 std::vector<CsvLine> lines_of(const std::string& text)
 {
   const char end = text.find('\n') == std::string::npos ? '\r' : '\n';
@@ -46,7 +54,8 @@ std::vector<CsvLine> lines_of(const std::string& text)
     const std::size_t last = std::min(text.find(end, begin), text.size());
     std::string line = text.substr(begin, last - begin);
     std::replace(line.begin(), line.end(), '\f', ' ');  // begins a page
-    if (line.find_first_not_of(" \t\r\",;") != std::string::npos && !is_comment(trimmed(line))) lines.push_back({number, line});
+    if (line.find_first_not_of(" \t\r\",;") != std::string::npos && !is_rule(line) && !is_comment(trimmed(line)))
+      lines.push_back({number, line});
     begin = last + 1;
   }
   return lines;
@@ -152,21 +161,6 @@ CsvTable find_header(const std::vector<CsvLine>& lines, const SurveyFormat& form
   }
   CsvTable over_lines = find_header_over_lines(lines, format);
   return over_lines.line == 0 ? best : over_lines;
-}
-
-std::string names_listed(const Cells& names, const CsvDelimiter& delimiter)
-{
-  std::string text;
-  for (const std::string& name : names)
-  {
-    if (text.size() > 200)
-    {
-      text += ", ...";
-      break;
-    }
-    if (!name.empty()) text += (text.empty() ? "" : ", ") + shortened(name);
-  }
-  return text.empty() ? "" : "; it has " + text + " (delimiter " + delimiter.name + ")";
 }
 
 // What is wrong with a header. A line that names no column may be of any file: it is shown above rows of numbers only.
@@ -301,7 +295,7 @@ bool take_unit_line(const std::vector<CsvLine>& lines, CsvTable& table, Problems
   if (!unknown) return true;
   const std::size_t place = *table.header.place[*unknown];
   problems.add_at(line.number, table.header.cells[place].text,
-                  "\"" + shortened(cells[place]) + "\" is not a known unit, allowed: " + survey_unit_names(is_angle(*unknown)));
+                  "unit \"" + shortened(cells[place]) + "\" " + why_no_unit(is_angle(*unknown), cells[place]));
   return false;
 }
 
@@ -380,7 +374,10 @@ SurveyRows read_survey_csv(const std::string& text, const SurveyFormat& format, 
   take_unit_above(text, table, format, survey);
   const std::string no_unit = unit_problem(header, survey_md);
   if (!no_unit.empty()) problems.add_at(table.line, survey.names[survey_md], no_unit);
-  if (problems.empty()) check_one_well(text, problems);
+  if (const OtherWell other = other_well(text); other.line > 0)
+    problems.add_at(
+        other.line, "",
+        "is of " + shortened(other.well) + ", the lines above of " + shortened(other.above) + ", needed: one well in a file");
   if (problems.empty()) take_rows(lines, table, format, survey, problems);
   if (problems.empty()) leave_out_marked(format, survey, problems);
   if (!problems.empty()) return survey;

@@ -229,19 +229,6 @@ void find_column(std::size_t quantity, const SurveyColumn& asked, bool plan, Sur
   }
 }
 
-// what may be meant by a unit in brackets that has several meanings, "" where there is none
-std::string choices_of_unit(bool of_angle, const std::string& text)
-{
-  Words brackets;
-  without_brackets(text, brackets);
-  for (const std::string& bracket : brackets)
-  {
-    const std::string choices = unit_choices(of_angle, bracket);
-    if (!choices.empty()) return choices;
-  }
-  return "";
-}
-
 // a column that would be the missing quantity but for its unit
 void find_unknown_unit(std::size_t quantity, SurveyHeader& header)
 {
@@ -249,9 +236,9 @@ void find_unknown_unit(std::size_t quantity, SurveyHeader& header)
                                   [&](const HeaderCell& cell) { return cell.quantity_without_brackets == quantity; });
   if (found == header.cells.end()) return;
   header.wrong_where = found->text;
-  const std::string choices = choices_of_unit(is_angle(quantity), found->text);
-  header.wrong = (choices.empty() ? "the unit in brackets is not known, allowed: " + survey_unit_names(is_angle(quantity))
-                                  : "the unit in brackets is ambiguous, allowed: " + choices) +
+  Words brackets;
+  without_brackets(found->text, brackets);
+  header.wrong = "the unit in brackets " + why_no_unit(is_angle(quantity), brackets.empty() ? "" : brackets.front()) +
                  ", or a map `columns` (" + how_to_map + ")";
 }
 

@@ -5,10 +5,10 @@
 #include <iterator>
 #include <map>
 #include <regex>
+#include <set>
 #include <sstream>
 #include <utility>
 
-#include "survey_body.h"
 #include "survey_split.h"
 #include "survey_words.h"
 
@@ -30,12 +30,13 @@ const UnitName* unit_in_front(const std::string& text)
 
 const UnitName* unit_of_line(const std::string& line)
 {
-  static const std::regex forms[] = {std::regex("(?:^|[^a-z])(?:md|measured depths?|depths?|lengths?|distances?)[ "
-                                                "_-]*(?:units?|uom)[^a-z0-9]*[:=,;\\t ][ \"]*([a-z].*)"),
-                                     std::regex("(?:^|[^a-z])(?:all +|units? of +)?(?:md|depths?|lengths?|distances?|units?)(?: "
-                                                "+are)?(?: +(?:given|measured|expressed|reported))? +in "
-                                                "+([a-z].*)"),
-                                     std::regex("^[^a-z]*(?:units?|units? of (?:depths?|lengths?)) *[:=,;][ \"]*([a-z].*)")};
+  static const std::regex forms[] = {
+      std::regex("(?:^|[^a-z])(?:md|measured depths?|depths?|lengths?|distances?)[ "
+                 "_-]*(?:units?|uom)[^a-z0-9]*[:=,;\\t ][ \"]*([a-z].*)"),
+      std::regex("(?:^|[^a-z])(?:all +|units? of +)?(?:md|depths?|lengths?|distances?|units?|survey)(?: "
+                 "+are)?(?: +(?:given|measured|expressed|reported))? +in "
+                 "+([a-z].*)"),
+      std::regex("^[^a-z]*(?:units?|units? of (?:depths?|lengths?)) *[:=,;][ \"]*([a-z].*)")};
   const std::string text = lowered(line.substr(0, longest_line));
   for (const std::regex& form : forms)
   {
@@ -76,7 +77,18 @@ TitleUnit unit_above(const std::string& text, int header_line)
   return {};
 }
 
-void check_one_well(const std::string& text, Problems& problems)
+bool names_well(const std::string& text)
+{
+  static const std::set<std::string> names = {
+      "well",           "wellname", "wellid",     "wellno",       "wellnumber", "wellbore", "wellborename", "wellboreid",
+      "wellborenumber", "borehole", "boreholeid", "boreholename", "uwi",        "api",      "apino",        "apinumber",
+      "holeid",         "holename", "bhid",       "dhid",         "bohrung",    "puits",    "pozo",         "poco",
+      "pozzo",          "bronn",    "skvazhina",  "odwiert",      "otwor"};
+  const Words words = name_words(text);
+  return names.count(in_one(words, words.size())) > 0;
+}
+
+OtherWell other_well(const std::string& text)
 {
   std::map<std::string, std::string> wells;  // by their keys
   std::istringstream lines(text);
@@ -85,11 +97,10 @@ void check_one_well(const std::string& text, Problems& problems)
   {
     const auto [key, well] = well_in(line);
     if (well.empty()) continue;
-    const std::string& first = wells.emplace(key, well).first->second;
-    if (lowered(first) != lowered(well))
-      return problems.add_at(
-          number, "", "is of " + shortened(well) + ", the lines above of " + shortened(first) + ", needed: one well in a file");
+    const std::string& above = wells.emplace(key, well).first->second;
+    if (lowered(above) != lowered(well)) return {number, well, above};
   }
+  return {};
 }
 
 }  // namespace drill_rig_sim

@@ -4,7 +4,6 @@
 
 #include <string>
 
-#include "problems.h"
 #include "survey_units.h"
 
 /// What the lines of a survey's file say of its table that are neither its header nor its rows.
@@ -23,8 +22,16 @@ struct TitleUnit
 /// The unit of depths in the lines above a header: `All depths in feet`, `Depth Units: ft`, `XYZ-UNITS: m, MD-UNITS: ft`.
 TitleUnit unit_above(const std::string& text, int header_line);
 
-/// A problem where one line names a well or wellbore and a later one another (`Well: A-1`, `Well: B-2`).
-void check_one_well(const std::string& text, Problems& problems);
+/// Whether a column or a line's key names the well: Well Name, UWI, Borehole.
+bool names_well(const std::string& text);
+
+/// The first line that names another well or wellbore than a line above it (`Well: A-1`, `Well: B-2`).
+struct OtherWell
+{
+  int line = 0;  ///< 0: all lines are of one well
+  std::string well, above;
+};
+OtherWell other_well(const std::string& text);
 
 }  // namespace drill_rig_sim
 

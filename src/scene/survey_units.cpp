@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "survey_units.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace drill_rig_sim
@@ -54,9 +55,13 @@ const UnitName* angle_unit(const std::string& spelling)
   return find_unit(angles(), compact(spelling)).unit;
 }
 
-std::string unit_choices(bool of_angle, const std::string& spelling)
+std::string why_no_unit(bool of_angle, const std::string& spelling)
 {
-  return find_unit(of_angle ? angles() : lengths(), compact(spelling)).choices;
+  std::string text = compact(spelling);
+  text.erase(std::remove_if(text.begin(), text.end(), [](char c) { return std::string("()[]{}").find(c) != std::string::npos; }),
+             text.end());
+  const std::string choices = find_unit(of_angle ? angles() : lengths(), text).choices;
+  return choices.empty() ? "is not known, allowed: " + survey_unit_names(of_angle) : "is ambiguous, allowed: " + choices;
 }
 
 std::string survey_unit_names(bool of_angle)

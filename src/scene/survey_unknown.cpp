@@ -33,6 +33,21 @@ bool are_above_numbers(const Cells& names, std::size_t line, const std::vector<C
 }
 }  // namespace
 
+std::string names_listed(const Cells& names, const CsvDelimiter& delimiter)
+{
+  std::string text;
+  for (const std::string& name : names)
+  {
+    if (text.size() > 200)
+    {
+      text += ", ...";
+      break;
+    }
+    if (!name.empty()) text += (text.empty() ? "" : ", ") + shortened(name);
+  }
+  return text.empty() ? "" : "; it has " + text + " (delimiter " + delimiter.name + ")";
+}
+
 UnknownTable unknown_table(const std::vector<CsvLine>& lines, const CsvDelimiters& delimiters)
 {
   for (std::size_t i = 0; i < lines.size() && i < most_lines; ++i)

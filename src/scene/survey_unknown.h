@@ -17,6 +17,9 @@ struct UnknownTable
   CsvDelimiter delimiter{',', ","};
 };
 
+/// `; it has A, B, C (delimiter ,)` for a message; empty without names.
+std::string names_listed(const std::vector<std::string>& names, const CsvDelimiter& delimiter);
+
 /// The first such table of these lines, by one of these delimiters.
 UnknownTable unknown_table(const std::vector<CsvLine>& lines, const CsvDelimiters& delimiters);
 

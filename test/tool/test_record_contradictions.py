@@ -73,8 +73,8 @@ class Units(Folder):
 class Limits(unittest.TestCase):
     def test_of_a_string(self):
         from drill_rig_sim.field.contradictions import load_at
-        self.assertEqual([], load_at("x", numpy.array([61e3]), 3000.0))
-        self.assertEqual(1, len(load_at("x", numpy.array([59e3]), 3000.0)))
+        self.assertEqual([], load_at("x", numpy.array([91e3]), 3000.0))
+        self.assertEqual(1, len(load_at("x", numpy.array([89e3]), 3000.0)))
         self.assertEqual([], load_at("x", numpy.array([5.4e6, 5.4e6, 7e6]), 3000.0))
         self.assertEqual(1, len(load_at("x", numpy.array([5.6e6, 5.6e6, 7e6]), 3000.0)))
         self.assertEqual([], load_at("x", numpy.array([1e3]), 100.0), "a short string")

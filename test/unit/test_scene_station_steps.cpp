@@ -52,6 +52,14 @@ TEST(StationSteps, AWrongDigitAtTheEndIsReported)
                     "the last station, at 52300 ft, stands 47100 ft from the next one, the others usually 30 ft"));
 }
 
+TEST(StationSteps, ALastStationFarAwayIsReported)
+{
+  const std::string above = head + "0,0,0\n" + stations(2400.0, 3150.0);
+  EXPECT_EQ("the last station, at 3790.5 m, stands 640.5 m from the next one, the others usually 30 m; is its depth right?\n",
+            remarks_of(above + station(3790.5, 40.0)));
+  EXPECT_EQ("", remarks_of(above + station(3700.5, 40.0))) << "20 steps";
+}
+
 TEST(StationSteps, AWrongDigitAtTheBeginIsReported)
 {
   const std::string below = stations(2130.0, 2600.0);

@@ -184,9 +184,8 @@ TEST(SceneSurvey, ALineAboveTheHeaderMayNameTheNorth)
 TEST(SceneSurvey, ALineOfUnitsMayHaveWordsBesideThem)
 {
   EXPECT_NEAR(1000.0 * foot, read("Depth;Inc;Azi\nft RKB;decimal degrees;dec deg\n0;0;0\n1000;2;30\n").stations[1].md, 1e-9);
-  EXPECT_TRUE(
-      holds(refusal("Depth;Inc;Azi\nft;deg;sixtieths\n0;0;0\n1000;2;30\n"), ":2: Azi: \"sixtieths\" is not a known unit"));
-  EXPECT_TRUE(holds(refusal("Depth;Inc;Azi\nfathoms;deg;deg\n0;0;0\n1000;2;30\n"), ":2: Depth: \"fathoms\" is not a known unit"));
+  EXPECT_TRUE(holds(refusal("Depth;Inc;Azi\nft;deg;sixtieths\n0;0;0\n1000;2;30\n"), ":2: Azi: unit \"sixtieths\" is not known"));
+  EXPECT_TRUE(holds(refusal("Depth;Inc;Azi\nfathoms;deg;deg\n0;0;0\n1000;2;30\n"), ":2: Depth: unit \"fathoms\" is not known"));
 }
 
 TEST(SceneSurvey, TheTieInHasUnitsToo)

@@ -185,7 +185,7 @@ TEST(SceneSurvey, ADatumThatIsNotTheRotaryTable)
   for (const char* line :
        {"TVD Reference: Mean Sea Level", "MD Reference: RKB @ 35.2 m above MSL", "Permanent datum: MSL", "Water depth to MSL"})
     EXPECT_TRUE(read(std::string(line) + "\n" + rows).remarks.empty()) << line;
-  EXPECT_TRUE(holds(refusal("MD,Inc,Azi\nft MSL,deg,deg\n0,0,0\n500,10,45\n"), "\"ft MSL\" is not a known unit"));
+  EXPECT_TRUE(holds(refusal("MD,Inc,Azi\nft MSL,deg,deg\n0,0,0\n500,10,45\n"), "unit \"ft MSL\" is not known"));
 }
 
 TEST(SceneSurvey, InclinationsFromTheHorizontal)

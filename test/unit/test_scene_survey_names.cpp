@@ -58,6 +58,8 @@ TEST(SurveyNames, AmbiguousUnitsAreRefusedWithTheirChoices)
 {
   EXPECT_TRUE(holds(refusal("Messtiefe (m);Neigung [Grad];Azimut [Grad]\n" + rows),
                     ":1: Neigung [Grad]: the unit in brackets is ambiguous, allowed: gon or deg"));
+  EXPECT_TRUE(holds(refusal("Messtiefe;Neigung;Azimut\nm;Grad;Grad\n" + rows),
+                    ":2: Neigung: unit \"Grad\" is ambiguous, allowed: gon or deg"));
   SurveyFormat format;
   format.inclination = {"Neigung [Grad]", "deg"};
   format.azimuth = {"Azimut [Grad]", "deg"};
@@ -112,6 +114,38 @@ TEST(SurveyTitles, OneWellInAFile)
   EXPECT_TRUE(holds(refusal("Hole,MD (m),Inc (deg),Azi (deg)\nA,0,0,0\nA,500,5,120\nB,600,5,120\n"),
                     ":4: Hole: is B, in the rows above A"));
   EXPECT_EQ("accepted", refusal("Hole,MD (m),Inc (deg),Azi (deg)\n17.5,0,0,0\n12.25,500,5,120\n")) << "a diameter";
+}
+
+// Lines of signs between names, units and rows are no rows.
+TEST(SurveyTitles, RulesArePassedOver)
+{
+  const SurveyTable found = read(
+      "  MD      Incl     Azim\n (ft)    (deg)    (deg)\n-------------------------\n   0.00    0.00     0.00\n1000.00    5.50   "
+      "120.25\n"
+      "=========================\n2000.00    5.50   120.25\n");
+  ASSERT_EQ(3u, found.stations.size());
+  expect_station(found.stations[1], 304.8, 5.5, 120.25);
+  EXPECT_TRUE(found.remarks.empty());
+  EXPECT_TRUE(holds(refusal("MD (m),Inc (deg),Azi (deg)\n0,0,0\n-,-,-\n500,5,40\n"), ":3: MD (m): has no value"))
+      << "cells without a value";
+}
+
+// The answer of a server to a request for a trajectory holds it as a text.
+TEST(SurveyTitles, TheAnswerOfAServer)
+{
+  const std::string station =
+      "&lt;trajectoryStation&gt;&lt;md uom=\"ft\"&gt;%&lt;/md&gt;&lt;incl uom=\"dega\"&gt;5.5&lt;/incl&gt;&lt;azi "
+      "uom=\"dega\"&gt;40&lt;/azi&gt;"
+      "&lt;/trajectoryStation&gt;";
+  const auto at = [&](const char* md)
+  { return station.substr(0, station.find('%')) + md + station.substr(station.find('%') + 1); };
+  const SurveyTable found = read(
+      "<?xml version=\"1.0\"?><s:Envelope "
+      "xmlns:s=\"http://schemas.xmlsoap.org/soap/envelope/\"><s:Body><r><Result>1</Result><XMLout>"
+      "&lt;trajectorys version=\"1.4.1.1\"&gt;&lt;trajectory&gt;" +
+      at("0") + at("1000") + "&lt;/trajectory&gt;&lt;/trajectorys&gt;</XMLout></r></s:Body></s:Envelope>\n");
+  ASSERT_EQ(2u, found.stations.size());
+  expect_station(found.stations[1], 304.8, 5.5, 40.0);
 }
 
 // A page's head that names the design again is no other path.

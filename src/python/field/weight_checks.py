@@ -2,7 +2,7 @@
 """Weights of a table that no string has: those of 0 or below are left out, others are reported."""
 import numpy
 from drill_rig_sim.field.contradictions import load_at
-from drill_rig_sim.field.quality import of_module
+from drill_rig_sim.field.native import of_module
 from drill_rig_sim.field.record import LEAST_LOAD
 
 NEIGHBOURS, FAR, DEEPER = 2, 2.5, 2.0  # on each side; as a ratio of the loads, and of the depths up to which loads are compared
