@@ -8,17 +8,18 @@ LEAST_SHARE = 0.5            # of the pressure that water loses in the widest dr
 WIDEST = 0.152               # inner diameter of 6 5/8 in pipe [m]
 WATER, VISCOSITY = 1e3, 1e-3  # [kg/m3], [Pa s]
 RUNS = 5e-3                  # of a flow [m3/s]
+FULL, FAR_DOWN, LOW = 25e-3, 1500.0, 3e6  # flow of drilling [m3/s] with the bit so deep [m], and a pressure that bit, tools and pipe exceed then [Pa]
 SHUT_IN, TRICKLE = 3e6, 1e-3  # pressure that needs a flow [Pa], and less than a pump delivers [m3/s]
 TURNS, IDLE, DEEP = 3.0, 50.0, 300.0  # rotary speed [rad/s] of a string so long [m] that has a larger torque [N m]
-LIGHTEST, HEAVIEST, HANGING = 30.0, 1500.0, 1e6  # weights of pipe, of a horizontal well's and of landing strings [N/m], and of what hangs above it [N]
+LIGHTEST, HEAVIEST, HANGING = 30.0, 1200.0, 1.3e6  # weights of pipe in mud, of a horizontal well's and of 13 5/8 in casing [N/m], and of what hangs above it [N]
 FAR = 10.0                   # of the bit above a bottom that gets deeper [m]
 GROWS, FASTEST = 0.5, 0.3    # of a hole [m], and a rate at which none is drilled [m/s]
-RISES, SLOWEST = 5.0, 5e-3   # of a block [m], and a speed at which none is lifted so far [m/s]
+RISES, SLOWEST = 5.0, 2e-3   # of a block [m], and a speed at which none is lifted so far [m/s]
 
 
 def contradictions(record):
     """Lines, one for each."""
-    return pump(record) + loss(record) + trickle(record) + turning(record) + load(record) + growth(record) + lifting(record)
+    return pump(record) + (loss(record) or low(record)) + trickle(record) + turning(record) + load(record) + growth(record) + lifting(record)
 
 
 def both(record, *names):
@@ -50,6 +51,13 @@ def loss(record):
     k = int(flow.argmax())
     return ["stand_pipe_pressure: it is usually %.3g kPa at up to %.3g m3/s, less than water loses in the widest drill pipe (%.3g kPa); is its unit right?" %
             (numpy.median(pressure) / 1e3, flow[k], least[k] / 1e3)] if numpy.median(pressure / least) < LEAST_SHARE else []
+
+
+def low(record):
+    found = both(record, "stand_pipe_pressure", "flow", "bit_depth")
+    pressure, flow, depth = found[:, (found[1] > FULL) & (found[2] > FAR_DOWN)] if found is not None else numpy.zeros((3, 0))
+    return ["stand_pipe_pressure: its largest value is %.3g MPa at up to %.3g m3/s with the bit at %.5g m, less than bit and pipe need; is its unit right?" %
+            (pressure.max() / 1e6, flow.max(), depth.max())] if len(pressure) and pressure.max() < LOW else []
 
 
 def trickle(record):
@@ -88,7 +96,7 @@ def load_at(name, loads, depth):
     usual = float(numpy.median(heavy)) if len(heavy) else 0.0
     if depth > DEEP and 0.0 < loads.max() < LIGHTEST * depth:
         return ["%s: its largest value is %.3g kN with the bit at %.5g m, less than so much pipe weighs; is its unit right?" % (name, loads.max() / 1e3, depth)]
-    return ["%s: it is usually %.3g kN with the bit at up to %.5g m, more than block and pipe weigh; is its unit right?" % (name, usual / 1e3, depth)] if usual > HANGING + HEAVIEST * max(depth, 0.0) else []
+    return ["%s: it is usually %.3g kN with the bit at up to %.5g m, more than block and pipe weigh; is its unit right?" % (name, usual / 1e3, depth)] if usual > HANGING + HEAVIEST * depth > HANGING + HEAVIEST * DEEP else []
 
 
 def growth(record):
@@ -97,9 +105,9 @@ def growth(record):
         return []
     good = numpy.isfinite(record.signals["hole_depth"])
     time, hole = record.time[good], record.signals["hole_depth"][good]
-    steps, times = numpy.diff(hole), numpy.diff(time)
+    steps, times = numpy.diff(numpy.maximum.accumulate(hole)), numpy.diff(time)  # a depth that varies from row to row does not grow
     grows = numpy.flatnonzero(steps > 0.0)
-    if steps[grows].sum() < GROWS:
+    if steps.sum() < GROWS:
         return []
     rate = float(numpy.median(steps[grows] / times[grows]))
     lines = ["hole_depth: it usually grows by %.3g m/s, faster than holes are drilled; is the unit of the time right?" % rate] if rate > FASTEST and len(grows) > 2 else []
