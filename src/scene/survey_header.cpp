@@ -97,9 +97,28 @@ Words without_treatment(const Words& words)
   return without(words, treatments);
 }
 
+// AziGN, AZIM_T: the north as a word of its own
+Words with_north_apart(const Words& words)
+{
+  static const std::set<std::string> ends = {"t", "tn", "true", "g", "gn", "grid", "mn", "mag"};
+  Words apart;
+  for (const std::string& word : words)
+  {
+    apart.push_back(word);
+    for (const std::string& name : {std::string("azimuth"), std::string("azim"), std::string("azi"), std::string("az")})
+    {
+      if (word.rfind(name, 0) != 0 || ends.count(word.substr(name.size())) == 0) continue;
+      apart.back() = name;
+      apart.push_back(word.substr(name.size()));
+      break;
+    }
+  }
+  return apart;
+}
+
 void match_any(const Words& name, HeaderCell& cell)
 {
-  const Words words = without_treatment(name);
+  const Words words = with_north_apart(without_treatment(name));
   std::string north;
   const Words rest = without_north(words, north);
   if (match(words, cell) || (match(without_datum(words), cell) && !is_angle(*cell.quantity)))

@@ -42,7 +42,7 @@ const UnitName* length_unit(const std::string& spelling)
   if (const UnitName* unit = find_unit(lengths(), text).unit) return unit;
   // the rotary table's names, from which depths are counted
   for (const std::string& datum :
-       std::vector<std::string>{"brkb", "bkb", "rkb", "kb", "brt", "mdrt", "rte", "rt", "df", "ahrt", "ahd", "md"})
+       std::vector<std::string>{"brkb", "bkb", "rkb", "kb", "brt", "mdrt", "rte", "rt", "df", "ahbrt", "ahrt", "ahd", "md"})
   {
     if (text.size() <= datum.size() || text.compare(text.size() - datum.size(), datum.size(), datum) != 0) continue;
     if (const UnitName* unit = find_unit(lengths(), text.substr(0, text.size() - datum.size())).unit) return unit;

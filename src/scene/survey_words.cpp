@@ -8,16 +8,28 @@ namespace drill_rig_sim
 {
 const std::map<std::string, std::string>& norths()
 {
-  static const std::map<std::string, std::string> table = {{"true", "true"},           {"tn", "true"},
-                                                           {"grid", "grid"},           {"gn", "grid"},
-                                                           {"mag", "magnetic"},        {"magnetic", "magnetic"},
-                                                           {"mn", "magnetic"},         {"magnetisch", "magnetic"},
-                                                           {"magnetique", "magnetic"}, {"magnetico", "magnetic"},
-                                                           {"magnitnyy", "magnetic"},  {"magnitnyj", "magnetic"},
-                                                           {"magnitniy", "magnetic"},  {"magnetyczny", "magnetic"},
-                                                           {"istinnyy", "true"},       {"istinnyj", "true"},
-                                                           {"rechtweisend", "true"},   {"geographique", "true"},
-                                                           {"geografico", "true"},     {"direktsionnyy", "grid"},
+  static const std::map<std::string, std::string> table = {{"true", "true"},
+                                                           {"tn", "true"},
+                                                           {"t", "true"},
+                                                           {"g", "grid"},
+                                                           {"grid", "grid"},
+                                                           {"gn", "grid"},
+                                                           {"mag", "magnetic"},
+                                                           {"magnetic", "magnetic"},
+                                                           {"mn", "magnetic"},
+                                                           {"magnetisch", "magnetic"},
+                                                           {"magnetique", "magnetic"},
+                                                           {"magnetico", "magnetic"},
+                                                           {"magnitnyy", "magnetic"},
+                                                           {"magnitnyj", "magnetic"},
+                                                           {"magnitniy", "magnetic"},
+                                                           {"magnetyczny", "magnetic"},
+                                                           {"istinnyy", "true"},
+                                                           {"istinnyj", "true"},
+                                                           {"rechtweisend", "true"},
+                                                           {"geographique", "true"},
+                                                           {"geografico", "true"},
+                                                           {"direktsionnyy", "grid"},
                                                            {"direktsionnyj", "grid"}};
   return table;
 }

@@ -46,6 +46,25 @@ TEST(SurveyNames, AreKnownInSeveralLanguages)
   expect_station(units.stations[1], 500.0, 5.5, 120.25);
 }
 
+TEST(SurveyNames, OfOtherMakers)
+{
+  for (const char* names :
+       {"TMD (m);Inc'n (deg);Az_T (deg)", "MDRT (m);HDEV (deg);HDIR (deg)", "MD (mAHBRT);Zenith angle (deg);AzimT (deg)",
+        "Svy MD (m);Survey Inc (deg);Survey Azi (deg)", "Along Hole (m);Hole Dev (deg);Azimuth (°T)"})
+  {
+    const SurveyTable table = read(names + ("\n" + rows));
+    ASSERT_EQ(2u, table.stations.size()) << names;
+    expect_station(table.stations[1], 500.0, 5.5, 120.25);
+    EXPECT_TRUE(table.remarks.empty()) << names << table.remarks.front();
+  }
+  for (const char* name : {"AziGN (deg)", "AzimG (deg)", "AZI_G (deg)"})
+    EXPECT_TRUE(holds(remark_of(read(std::string("MD (m);Inc (deg);") + name + "\n" + rows)), "refer to grid north")) << name;
+  EXPECT_EQ("\"Driller's Depth (m)\" is read as measured depth",
+            remark_of(read("Driller's Depth (m);Inc (deg);Azi (deg)\n" + rows)));
+  expect_station(read("Drillers Depth (ft);MD (m);Inc (deg);Azi (deg)\n0;0;0;0\n1640;500;5.5;120.25\n").stations[1], 500.0, 5.5,
+                 120.25);
+}
+
 TEST(SurveyNames, TheNorthAndAWeakDepthAreReported)
 {
   EXPECT_EQ("\"Teufe (m)\" is read as measured depth", remark_of(read("Teufe (m);Neigung (°);Azimut (°)\n" + rows)));
