@@ -48,7 +48,8 @@ std::vector<UnitFamily> first_families()
         {"min", minute, "mins minute minutes minute(s) minuten minutos"},
     {"h", hour, "hr hrs hour hours hour(s) stunden heures horas ch chas"}, {"d", day, "day days"}, {"us", 1e-6L, "usec", rare}}},
   {"an angle", {
-    {"rad", 1.0L, "rads radian radians"}, {"deg", deg, "degs degree degrees dega ddeg grados graus grader gradi graden degre degres"},
+    {"rad", 1.0L, "rads radian radians"},
+        {"deg", deg, "degs degree degrees dega ddeg grados graus grader gradi graden degre degres"},
         {"rev", turn, "revs"},
         {"gon", turn / 400.0L, "gons"}},
     {{"grad grads", "gon or deg"}}},
