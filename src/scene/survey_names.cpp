@@ -38,7 +38,7 @@ void add_english(Names& all)
   add(all, survey_tvd, "tvd tvdepth truevertical trueverticaldepth tvdtrueverticaldepth verticaldepth vertdepth vertdep");
 }
 
-// German, Dutch, Norwegian and Danish; e and oe stand for umlauts too
+// German, Dutch, Norwegian and Danish; ae, oe and ue stand for umlauts too
 void add_germanic(Names& all)
 {
   add(all, survey_md,
