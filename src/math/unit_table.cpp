@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cctype>
 #include <stdexcept>
+#include <utility>
+
+#include "drill_rig_sim/math/latin_letters.h"
 
 namespace drill_rig_sim
 {
@@ -30,27 +33,30 @@ std::vector<UnitFamily> first_families()
 {
   return {
   {"a length", {
-    {"m", 1.0L, "metre metres meter meters mtr mtrs mts mrt"}, {"mm", 1e-3L}, {"cm", 1e-2L}, {"km", 1e3L},
-    {"ft", foot, "feet foot f ift '"}, {"in", inch, "inch inches \""},
+    {"m", 1.0L, "metre metres meter meters mtr mtrs mts mrt metro metros metri"}, {"mm", 1e-3L}, {"cm", 1e-2L}, {"km", 1e3L},
+    {"ft", foot, "feet foot f ift ' fuss pied pieds pie pies piedi fot fut futy"}, {"in", inch, "inch inches \""},
         {"ftUS", survey_foot, "usft us.ft ft.us ussft us.survey.ft us.survey.feet ussurveyft ussurveyfeet ftsurvey"},
     {"yd", 3.0L * foot, "yard yards", rare}}},
   {"a mass", {
-    {"kg", 1.0L}, {"g", 1e-3L}, {"t", 1e3L, "te tonne tonnes metric.ton metric.tons"}, {"lbm", pound, "lb lbs pound pounds"},
+    {"kg", 1.0L}, {"g", 1e-3L}, {"t", 1e3L, "te tonne tonnes metric.ton metric.tons kkg"}, {"lbm", pound, "lb lbs pound pounds"},
         {"klbm", 1e3L * pound, "klb klbs"},
     {"tonUS", short_ton * pound, "short.ton short.tons ston stons"}, {"tonUK", long_ton * pound, "long.ton long.tons"}},
     {{"ton tons", "t, tonUS or tonUK"}}},
   {"a time", {
-    {"s", 1.0L, "sec secs second seconds second(s)"}, {"ms", 1e-3L, "msec millisecond milliseconds"},
-        {"min", minute, "mins minute minutes minute(s)"},
-    {"h", hour, "hr hrs hour hours hour(s)"}, {"d", day, "day days"}, {"us", 1e-6L, "usec", rare}}},
+    {"s", 1.0L, "sec secs second seconds second(s) sek sekunde sekunden secondes segundo segundos"},
+        {"ms", 1e-3L, "msec millisecond milliseconds millisekunden millisecondes milisegundos"},
+        {"min", minute, "mins minute minutes minute(s) minuten minutos"},
+    {"h", hour, "hr hrs hour hours hour(s) stunden heures horas ch chas"}, {"d", day, "day days"}, {"us", 1e-6L, "usec", rare}}},
   {"an angle", {
-    {"rad", 1.0L, "rads radian radians"}, {"deg", deg, "degs degree degrees dega"}, {"rev", turn, "revs"},
+    {"rad", 1.0L, "rads radian radians"},
+        {"deg", deg, "degs degree degrees dega ddeg grados graus grader gradi graden degre degres"},
+        {"rev", turn, "revs"},
         {"gon", turn / 400.0L, "gons"}},
     {{"grad grads", "gon or deg"}}},
   {"a force", {
     {"N", 1.0L, "newton newtons"}, {"daN", 10.0L}, {"kN", 1e3L, "k.n kilonewton kilonewtons"}, {"MN", 1e6L},
-        {"kgf", gravity, "kg"},
-    {"tf", 1e3L * gravity, "kkgf t te tonne tonnes tonnef tonne.f metric.ton metric.tons metricton metrictons ton(metric) "
+        {"kgf", gravity, "kg kp"},
+    {"tf", 1e3L * gravity, "kkgf t te tonne tonnes tonnef tonne.f kkg metric.ton metric.tons metricton metrictons ton(metric) "
         "tonf.metric tonfm 1000.kgf 1000kgf 1000.kg 1000kg"},
     {"lbf", pound_force, "lb lbs lbsf lb.f pound pounds pounds.force poundforce"},
     {"klbf", 1e3L * pound_force, "klb klbs klbsf klbm klb.f kip kips k.lb k.lbs k.lbf kpound kpounds kilopounds 1000.lbf "
@@ -63,13 +69,14 @@ std::vector<UnitFamily> first_families()
     {{"ton tons tonf tonsf kton mt", "tonfUS (2000 lbf), tonfUK (2240 lbf) or 1000 kgf (tf)"},
      {"mlbf mlb mlbs", "klbf (1000 lbf); M is a thousand in some files, a million in others"}}},
   {"a torque", {
-    {"N.m", 1.0L, "nm"}, {"daN.m", 10.0L, "danm"}, {"kN.m", 1e3L, "knm"}, {"kgf.m", gravity, "kg.m kgm m.kgf"},
+    {"N.m", 1.0L, "nm"}, {"daN.m", 10.0L, "danm"}, {"kN.m", 1e3L, "knm"}, {"kgf.m", gravity, "kg.m kgm m.kgf kp.m"},
         {"lbf.in", pound_force * inch, "lb.in in.lbf in.lb in.lbs"},
     {"ft.lbf", pound_foot, "ft.lb ft.lbs lbf.ft lb.ft lbs.ft ftlb ftlbs ftlbf lbft foot.pound foot.pounds"},
     {"kft.lbf", 1e3L * pound_foot, "kft.lb kft.lbs klbf.ft klb.ft klbs.ft kftlb kftlbs kftlbf klbft ft.klbf ft.klb ft.klbs "
         "ft.kip ft.kips kip.ft kips.ft k.lb.ft k.lbs.ft k.lbf.ft "
       "k.ft.lb k.ft.lbf k.ft.lbs 1000.ft.lbf 1000.ft.lb 1000.ft.lbs 1000.lbf.ft"},
-    {"kdaN.m", 1e4L, "kdanm", rare}, {"MN.m", 1e6L, "", rare}, {"dN.m", 0.1L, "", rare}, {"kkgf.m", 1e3L * gravity, "tf.m", rare},
+    {"kdaN.m", 1e4L, "kdanm", rare}, {"MN.m", 1e6L, "", rare}, {"dN.m", 0.1L, "", rare},
+        {"kkgf.m", 1e3L * gravity, "tf.m", rare},
     {"tonfUS.ft", short_ton * pound_foot, "", rare}},
     {{"ton.ft tonf.ft ft.ton ft.tonf", "tonfUS.ft"}}},
   };
@@ -80,9 +87,11 @@ std::vector<UnitFamily> families_of_fluids()
 {
   return {
   {"a pressure", {
-    {"Pa", 1.0L, "n/m2"}, {"kPa", 1e3L, "kn/m2"}, {"MPa", 1e6L, "n/mm2"}, {"GPa", 1e9L}, {"bar", 1e5L, "bars barg bar(g)"},
+    {"Pa", 1.0L, "n/m2"}, {"kPa", 1e3L, "kn/m2 kpag kpa(g)"}, {"MPa", 1e6L, "n/mm2"}, {"GPa", 1e9L},
+        {"bar", 1e5L, "bars barg bar(g)"},
         {"atm", 101325.0L},
-    {"kgf/cm2", 1e4L * gravity, "kg/cm2 kgcm2 ksc at"}, {"psi", psi, "psig psi(g) lbf/in2 lb/in2 lbs/in2"},
+    {"kgf/cm2", 1e4L * gravity, "kg/cm2 kgcm2 ksc at kp/cm2 kgf/cm2(g) kg/cm2g kg/cm2(g)"},
+        {"psi", psi, "psig psi(g) lbf/in2 lb/in2 lbs/in2"},
         {"ksi", 1e3L * psi, "kpsi"},
     {"lbf/100ft2", pound_force / (100.0L * foot * foot), "lb/100ft2"},
     {"lbf/ft2", pound_force / (foot * foot), "psf", rare}, {"hPa", 100.0L, "mbar", rare}, {"hbar", 1e7L, "", rare},
@@ -112,14 +121,15 @@ std::vector<UnitFamily> further_families()
         {"ft/d", foot / day, "", rare},
     {"kft/h", 1e3L * foot / hour, "", rare}, {"in/s", inch, "", rare}, {"in/min", inch / minute, "", rare}}},
   {"an angular speed", {
-    {"rad/s", 1.0L, "rad/sec"}, {"rpm", rev_per_minute, "rev/min c/min r/min 1/min revs/min /min min.1 rev.min.1 r.p.m rpms"},
+    {"rad/s", 1.0L, "rad/sec"}, {"rpm", rev_per_minute, "rev/min c/min r/min 1/min revs/min /min min.1 rev.min.1 r.p.m rpms "
+        "u/min umdr/min tr/min trs/min tours/min giri/min ob/min obr/min omdr/min vueltas/min"},
         {"deg/s", deg, "dega/s"}, {"rev/s", turn, "c/s rps hz"},
     {"rev/h", turn / hour, "c/h", rare}, {"deg/min", deg / minute, "dega/min", rare}, {"deg/h", deg / hour, "dega/h", rare}}},
   {"an angular acceleration", {{"rad/s2", 1.0L}, {"rpm/s", rev_per_minute}, {"deg/s2", deg}}},
   {"an acceleration", {{"m/s2", 1.0L}, {"ft/s2", foot}}},
   {"a flow", {
-    {"m3/s", 1.0L}, {"m3/min", 1.0L / minute, "m3pm kl/min 1000.l/min"}, {"m3/h", 1.0L / hour, "m3/hr"},
-        {"L/s", litre, "lps l/sec ltr/s dm3/s"},
+    {"m3/s", 1.0L}, {"m3/min", 1.0L / minute, "m3pm kl/min 1000.l/min"}, {"m3/h", 1.0L / hour, "m3/hr m3/ch"},
+        {"L/s", litre, "lps l/sec ltr/s dm3/s l/sek"},
     {"L/min", litre / minute, "lpm ltr/min lt/min liter/min liters/min litre/min litres/min l/minute dm3/min"},
     // a gallon of the oilfield is that of the USA
     {"gpm", gallon / minute, "galus/min galus/minute gal/min gals/min gal(us)/min us.gal/min usgal/min usg/min usgpm us.gpm "
@@ -190,6 +200,14 @@ void replace_all(std::string& text, const std::string& what, const std::string& 
     text.replace(at, what.size(), by);
 }
 
+// those that are others in Latin letters one by one: degrees, kilogram- and tonne-force, centimetre; the longer ones first
+constexpr std::pair<const char*, const char*> cyrillic_units[] = {{"\u0433\u0440\u0430\u0434\u0443\u0441\u044b", "deg"},
+                                                                  {"\u0433\u0440\u0430\u0434\u0443\u0441", "deg"},
+                                                                  {"\u0433\u0440\u0430\u0434", "deg"},
+                                                                  {"\u043a\u0433\u0441", "kgf"},
+                                                                  {"\u0442\u0441", "tf"},
+                                                                  {"\u0441\u043c", "cm"}};
+
 /// Whether a word stands in a list of words between blanks.
 bool holds(const char* words, const std::string& word)
 {
@@ -222,6 +240,8 @@ const UnitFamily& units_of_quantity(const std::string& quantity)
 std::string plain_unit(const std::string& spelling)
 {
   std::string text = spelling;
+  for (const auto& [cyrillic, latin] : cyrillic_units) replace_all(text, cyrillic, latin);
+  text = latin_letters(text);
   replace_all(text, " per ", "/");
   replace_all(text, "\u00b2", "2");
   replace_all(text, "\u00b3", "3");

@@ -5,13 +5,17 @@
 
 #include <array>
 #include <map>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "../scene/station_steps.h"
+#include "../scene/survey_titles.h"
 #include "../scene/text_file.h"
 #include "../sim/build_identity.h"
+#include "drill_rig_sim/math/latin_letters.h"
 #include "drill_rig_sim/math/shown_units.h"
 #include "drill_rig_sim/math/unit_table.h"
 #include "drill_rig_sim/math/units.h"
@@ -84,6 +88,21 @@ py::tuple flag_cells_of(const std::string& name, const std::vector<std::string>&
   std::vector<std::string> meanings;
   for (const FlagMeaning meaning : found.meanings) meanings.emplace_back(words[static_cast<std::size_t>(meaning)]);
   return py::make_tuple(meanings, found.known, found.unclear);
+}
+
+/// step_in_feet() of scene/station_steps.h for a table of depths [m], None where it is none of pipe.
+py::object pipe_step_in_feet(const std::vector<double>& depths)
+{
+  constexpr std::size_t fewest = 3;
+  const std::optional<double> step = step_in_feet(depths, fewest, true);
+  return step ? py::object(py::float_(*step)) : py::none();
+}
+
+/// The line of a text that names another well than one above it, that well and the one above; None where all are of one.
+py::object other_well_in(const std::string& text)
+{
+  const OtherWell other = other_well(text);
+  return other.line > 0 ? py::object(py::make_tuple(other.line, other.well, other.above)) : py::none();
 }
 
 /// The units that the runner's commands show numbers in with --units oilfield: shown numbers in one SI unit.
@@ -183,6 +202,10 @@ void bind_functions(py::module_& module)
   module.def("find_unit", find_unit_of);
   module.def("flag_name", flag_name_of);
   module.def("flag_cells", flag_cells_of);
+  module.def("latin_letters", latin_letters);
+  module.def("pipe_step_in_feet", pipe_step_in_feet);
+  module.def("names_well", names_well);
+  module.def("other_well", other_well_in);
   module.def("oilfield_units", oilfield_units);
   module.def("read_survey", read_survey);
   module.def("read_text", read_text, py::arg("file"), py::arg("longest") = longest_text);

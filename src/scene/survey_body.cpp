@@ -9,22 +9,13 @@
 #include "survey_marks.h"
 #include "survey_path.h"
 #include "survey_split.h"
+#include "survey_titles.h"
 #include "survey_words.h"
 
 namespace drill_rig_sim
 {
 namespace
 {
-// a column that names the well, in small letters without blanks and signs
-bool names_well(const std::string& text)
-{
-  static const std::set<std::string> names = {"well",     "wellname",   "wellid", "wellbore", "wellborename", "wellboreid",
-                                              "borehole", "boreholeid", "uwi",    "api",      "apino",        "apinumber",
-                                              "holeid",   "holename",   "bhid",   "dhid"};
-  const Words words = name_words(text);
-  return names.count(in_one(words, words.size())) > 0;
-}
-
 // blanks of any width count as one
 std::string with_single_blanks(const std::string& text)
 {
@@ -95,15 +86,16 @@ public:
     if (skipped > 0)
       survey_.remarks.push_back(std::to_string(skipped) + (skipped == 1 ? " line" : " lines") +
                                 " without a station, text or the header again, skipped (first: line " +
-                                std::to_string(lines_[first].number) + ")");
+                                std::to_string(lines_[first].number) + ": " + shortened(trimmed(lines_[first].text)) + ")");
   }
 
 private:
-  // a title such as Plan or Actual between stations begins another table
+  // A title such as Plan or Actual between stations begins another table, but where it also stands above the first one, at the
+  // head of each page.
   void check_path(std::size_t first, std::size_t end)
   {
     for (std::size_t i = first; i < end; ++i)
-      for (const std::string& text : cells_of(lines_[i]))
+      for (const std::string& text : is_above_header(i) ? Cells() : cells_of(lines_[i]))
         if (end < lines_.size() && path_of_cell(text) != SurveyPath::unsaid)
           return problems_.add_at(lines_[i].number, "",
                                   "\"" + shortened(text) +
@@ -145,6 +137,13 @@ private:
   bool same(std::size_t i, std::size_t other) const
   {
     return i < lines_.size() && with_single_blanks(lines_[i].text) == with_single_blanks(lines_[other].text);
+  }
+
+  bool is_above_header(std::size_t i) const
+  {
+    for (std::size_t k = 0; k < table_.first_name; ++k)
+      if (same(i, k)) return true;
+    return false;
   }
 
   // the line after the header that stands again at line i, with its line of units; i where it does not
@@ -203,11 +202,18 @@ private:
                            " on: a cell is empty in one of these lines, needed: - in empty cells");
   }
 
+  // the hole is its well too, but where the column holds its diameter
+  static bool is_of_well(const std::string& name, const std::string& cell)
+  {
+    const bool is_size = cell[0] >= '0' && cell[0] <= '9';
+    return names_well(name) || (name_words(name) == Words{"hole"} && !is_size);
+  }
+
   void check_well(const CsvLine& line, const Cells& cells)
   {
     for (std::size_t i = 0; i < cells.size() && i < wells_.size(); ++i)
     {
-      if (cells[i].empty() || !names_well(table_.header.cells[i].text)) continue;
+      if (cells[i].empty() || !is_of_well(table_.header.cells[i].text, cells[i])) continue;
       if (wells_[i].empty()) wells_[i] = cells[i];
       if (lowered(cells[i]) != lowered(wells_[i]))
         problems_.add_at(

@@ -2,6 +2,7 @@
 #ifndef DRILL_RIG_SIM_SRC_SCENE_SURVEY_BODY_H
 #define DRILL_RIG_SIM_SRC_SCENE_SURVEY_BODY_H
 
+#include <array>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -24,6 +25,8 @@ struct CsvDelimiter
   char character;
   const char* name;  ///< for messages
 };
+
+using CsvDelimiters = std::array<CsvDelimiter, 5>;
 
 /// Where a survey's table stands among the lines of its file.
 struct CsvTable

@@ -16,6 +16,8 @@
 #include "survey_header.h"
 #include "survey_marks.h"
 #include "survey_split.h"
+#include "survey_titles.h"
+#include "survey_unknown.h"
 
 namespace drill_rig_sim
 {
@@ -23,7 +25,8 @@ namespace
 {
 constexpr int most_lines_above_header = 50;
 constexpr std::size_t most_lines_of_header = 3;
-constexpr std::array<CsvDelimiter, 5> delimiters = {{{',', ","}, {';', ";"}, {'\t', "tab"}, {'|', "bar"}, {' ', "space"}}};
+constexpr double same_unit = 1e-5;  // share by which the foot of surveys differs from the international one, and more
+constexpr CsvDelimiters delimiters = {{{',', ","}, {';', ";"}, {'\t', "tab"}, {'|', "bar"}, {' ', "space"}}};
 
 // a column that numbers the stations may be called #
 bool is_comment(const std::string& text)
@@ -32,7 +35,15 @@ bool is_comment(const std::string& text)
   return (text[0] == '#' && !is_name) || text[0] == '!' || text[0] == '%' || text.compare(0, 2, "//") == 0;
 }
 
-// Lines that are neither empty nor comments; they end in LF, CR LF or CR.
+// of signs that part a header from its rows
+bool is_rule(const std::string& text)
+{
+  const bool has_run =
+      text.find("---") != std::string::npos || text.find("===") != std::string::npos || text.find("___") != std::string::npos;
+  return has_run && text.find_first_not_of(" \t\r,;|+-=_") == std::string::npos;
+}
+
+// Lines that are neither empty nor comments nor rules; they end in LF, CR LF or CR.
 std::vector<CsvLine> lines_of(const std::string& text)
 {
   const char end = text.find('\n') == std::string::npos ? '\r' : '\n';
@@ -43,7 +54,8 @@ std::vector<CsvLine> lines_of(const std::string& text)
     const std::size_t last = std::min(text.find(end, begin), text.size());
     std::string line = text.substr(begin, last - begin);
     std::replace(line.begin(), line.end(), '\f', ' ');  // begins a page
-    if (line.find_first_not_of(" \t\r\",;") != std::string::npos && !is_comment(trimmed(line))) lines.push_back({number, line});
+    if (line.find_first_not_of(" \t\r\",;") != std::string::npos && !is_rule(line) && !is_comment(trimmed(line)))
+      lines.push_back({number, line});
     begin = last + 1;
   }
   return lines;
@@ -151,29 +163,21 @@ CsvTable find_header(const std::vector<CsvLine>& lines, const SurveyFormat& form
   return over_lines.line == 0 ? best : over_lines;
 }
 
-std::string cells_listed(const std::vector<HeaderCell>& cells)
-{
-  std::string text;
-  for (const HeaderCell& cell : cells)
-  {
-    if (text.size() > 200) return text + ", ...";
-    if (!cell.text.empty()) text += (text.empty() ? "" : ", ") + shortened(cell.text);
-  }
-  return text;
-}
-
-// what is wrong with a header; a line that names no column at all may be of any file and is not shown
-void add_header_problem(const CsvTable& table, Problems& problems)
+// What is wrong with a header. A line that names no column may be of any file: it is shown above rows of numbers only.
+void add_header_problem(const CsvTable& table, const std::vector<CsvLine>& lines, Problems& problems)
 {
   const SurveyHeader& header = table.header;
   if (header.wrong != "no such column in the header") return problems.add_at(table.line, header.wrong_where, header.wrong);
-  const std::string needed =
-      "; needed: md_m, inclination_deg, azimuth_deg or the usual names of these, with their units, or a map "
-      "`columns` (" +
-      std::string(how_to_map) + ")";
-  if (header.found == 0) return problems.add_at(table.line, "", "no line names measured depth, inclination and azimuth" + needed);
-  problems.add_at(table.line, header.wrong_where,
-                  header.wrong + "; it has " + cells_listed(header.cells) + " (delimiter " + table.delimiter.name + ")" + needed);
+  Cells names;
+  for (const HeaderCell& cell : header.cells) names.push_back(cell.text);
+  const bool none = header.found == 0;
+  const UnknownTable unknown = none ? unknown_table(lines, delimiters) : UnknownTable{names, table.line, table.delimiter};
+  const std::string found = names_listed(unknown.names, unknown.delimiter);
+  problems.add_at(
+      unknown.line > 0 ? unknown.line : table.line, none ? "" : header.wrong_where,
+      (none ? "no line names measured depth, inclination and azimuth" : header.wrong) + found +
+          "; needed: md_m, inclination_deg, azimuth_deg or the usual names of these, with their units, or a map `columns` (" +
+          how_to_map + ")");
 }
 
 // Angles without a unit are degrees where they are too large for radians.
@@ -291,26 +295,34 @@ bool take_unit_line(const std::vector<CsvLine>& lines, CsvTable& table, Problems
   if (!unknown) return true;
   const std::size_t place = *table.header.place[*unknown];
   problems.add_at(line.number, table.header.cells[place].text,
-                  "\"" + shortened(cells[place]) + "\" is not a known unit, allowed: " + survey_unit_names(is_angle(*unknown)));
+                  "unit \"" + shortened(cells[place]) + "\" " + why_no_unit(is_angle(*unknown), cells[place]));
   return false;
 }
 
-// what `said` finds in the lines above a header, comments included
-std::string said_above(const std::string& text, int header_line, std::string (*said)(const std::string&))
+// the unit of depth where only a line above the names has it; reported where that is another one
+void take_unit_above(const std::string& text, CsvTable& table, const SurveyFormat& format, SurveyRows& survey)
 {
-  std::istringstream lines(text);
-  std::string line, found;
-  for (int number = 1; number < header_line && found.empty() && std::getline(lines, line); ++number) found = said(line);
-  return found;
+  const TitleUnit above = unit_above(text, table.line);
+  const UnitName*& unit = table.header.unit[survey_md];
+  if (!above.unit || !format.md.unit.empty()) return;
+  const std::string line = "line " + std::to_string(above.line) + " says that depths are in " + above.unit->name;
+  if (!unit)
+    survey.remarks.push_back(line + ": they are read so");
+  else if (std::abs(unit->factor() / above.unit->factor() - 1.0) > same_unit)
+    survey.remarks.push_back(line + ", the names of the columns say " + unit->name + ": they are read in " + unit->name +
+                             "; is that right?");
+  if (!unit) unit = above.unit;
 }
 
 // what the reader has to report of a header
-void add_remarks(const CsvTable& table, const std::string& text, bool plan, SurveyRows& survey)
+void add_remarks(const CsvTable& table, const std::string& text, const SurveyFormat& format, SurveyRows& survey)
 {
+  const bool plan = format.plan;
   const SurveyHeader& header = table.header;
   const HeaderCell& depth = header.cells[*header.place[survey_md]];
   const HeaderCell& azimuth = header.cells[*header.place[survey_azimuth]];
-  if (depth.weak) survey.remarks.push_back("\"" + shortened(depth.text) + "\" is read as measured depth");
+  if (depth.weak && format.md.column.empty())
+    survey.remarks.push_back("\"" + shortened(depth.text) + "\" is read as measured depth");
   if (header.path != SurveyPath::unsaid && header.path != (plan ? SurveyPath::planned : SurveyPath::actual))
     survey.remarks.push_back("its columns are " + std::string(path_word(header.path)) + " ones: they are read as the " +
                              (plan ? "plan" : "survey"));
@@ -350,7 +362,7 @@ SurveyRows read_survey_csv(const std::string& text, const SurveyFormat& format, 
   SurveyHeader& header = table.header;
   if (!header.wrong.empty())
   {
-    add_header_problem(table, problems);
+    add_header_problem(table, lines, problems);
     return survey;
   }
   for (std::size_t i = 0; i < survey_quantities; ++i)
@@ -359,8 +371,13 @@ SurveyRows read_survey_csv(const std::string& text, const SurveyFormat& format, 
   if (!problems.empty()) return survey;
   survey.decimal_commas = table.delimiter.character != ',';
   if (!take_unit_line(lines, table, problems)) return survey;
+  take_unit_above(text, table, format, survey);
   const std::string no_unit = unit_problem(header, survey_md);
   if (!no_unit.empty()) problems.add_at(table.line, survey.names[survey_md], no_unit);
+  if (const OtherWell other = other_well(text); other.line > 0)
+    problems.add_at(
+        other.line, "",
+        "is of " + shortened(other.well) + ", the lines above of " + shortened(other.above) + ", needed: one well in a file");
   if (problems.empty()) take_rows(lines, table, format, survey, problems);
   if (problems.empty()) leave_out_marked(format, survey, problems);
   if (!problems.empty()) return survey;
@@ -368,7 +385,7 @@ SurveyRows read_survey_csv(const std::string& text, const SurveyFormat& format, 
   take_groups(table.delimiter.character, survey, problems);
   if (survey.decimal_commas && problems.empty()) check_points(survey, problems);
   if (survey.decimal_commas && problems.empty()) check_commas(survey, problems);
-  add_remarks(table, text, format.plan, survey);
+  add_remarks(table, text, format, survey);
   settle_angles(header, survey, problems, table.line);
   for (SurveyRow& row : survey.rows) row.units = header.unit;
   survey.taken = "the header was read as " + description(header) + ", delimiter " + table.delimiter.name;

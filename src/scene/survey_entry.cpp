@@ -15,8 +15,7 @@ void read_column(const YAML::Node& node, const std::string& path, bool is_angle,
 {
   read_block(node, path, survey_column_keys, every_kind, column, problems);
   const bool known = column.unit.empty() || (is_angle ? angle_unit(column.unit) : length_unit(column.unit));
-  if (!known)
-    problems.add(join(path, "unit"), "\"" + shortened(column.unit) + "\" is not known, allowed: " + survey_unit_names(is_angle));
+  if (!known) problems.add(join(path, "unit"), "\"" + shortened(column.unit) + "\" " + why_no_unit(is_angle, column.unit));
 }
 
 void read_columns(const YAML::Node& node, const std::string& path, SurveyFormat& format, Problems& problems)

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "problems.h"
+#include "station_steps.h"
 #include "survey_csv.h"
 #include "survey_las.h"
 #include "survey_stations.h"
@@ -40,7 +41,8 @@ SurveyTable read_survey_file(const std::string& file, const SurveyFormat& format
                           rows.rows.front().units[survey_azimuth] == angle_unit("deg");
   const std::string radians = in_degrees ? like_radians(table.stations) : "";
   const std::string feet = rows.rows.front().units[survey_md] == length_unit("m") ? like_feet(table.stations) : "";
-  for (const std::string& unlikely : {sharp_turn(table.stations), flat_begin(table.stations), radians, feet})
+  for (const std::string& unlikely : {sharp_turn(table.stations), flat_begin(table.stations), radians, feet,
+                                      wrong_digit(table.stations, *rows.rows.front().units[survey_md])})
     if (!unlikely.empty()) table.remarks.push_back(unlikely);
   for (std::string& remark : table.remarks) remark.insert(0, one_line(file) + ": ");
   if (!whole.remark.empty()) table.remarks.insert(table.remarks.begin(), whole.remark);

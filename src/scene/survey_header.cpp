@@ -7,6 +7,7 @@
 #include <set>
 
 #include "survey_beside.h"
+#include "survey_names.h"
 #include "survey_words.h"
 
 namespace drill_rig_sim
@@ -18,53 +19,24 @@ constexpr std::array<const char*, survey_quantities> own_names = {"md_m",    "in
 constexpr std::array<const char*, survey_quantities> full_names = {"measured depth", "inclination", "azimuth",
                                                                    "north",          "east",        "true vertical depth"};
 
-// usual spellings in small letters without blanks and signs
-const std::map<std::string, std::size_t>& spellings()
-{
-  static const std::map<std::string, std::size_t> table = []
-  {
-    std::map<std::string, std::size_t> all;
-    const auto add = [&](std::size_t quantity, std::initializer_list<const char*> names)
-    {
-      for (const char* name : names) all[name] = quantity;
-    };
-    add(survey_md, {"md", "mdepth", "measureddepth", "measdepth", "measdep", "mddepth", "depthmd", "measureddepthmd",
-                    "mdmeasureddepth", "ahd", "ahdepth", "alongholedepth", "surveydepth", "surveymd", "svydepth", "stationdepth",
-                    "stationmd", "depth", "dept"});
-    add(survey_inclination,
-        {"inc", "incl", "incln", "inclin", "inclination", "incangle", "inclangle", "inclinationangle", "holeinclination",
-         "holeinc", "holeincl", "holeangle", "drift", "driftangle", "devi", "deviation", "deviationangle"});
-    add(survey_azimuth,
-        {"azi", "az", "azm", "azim", "azimuth", "azimut", "azimuthangle", "aziazimuth", "azimuthazi", "correctedazimuth",
-         "azimuthcorrected", "driftazimuth", "driftdirection", "aziangle", "holeazimuth", "holeazi", "holedirection", "hazi"});
-    add(survey_azimuth, {"direction", "haz"});
-    add(survey_north,
-        {"north", "ns", "northsouth", "northing", "localnorth", "localnorthing", "northoffset", "nsoffset", "dispns"});
-    add(survey_east, {"east", "ew", "eastwest", "easting", "localeast", "localeasting", "eastoffset", "ewoffset", "dispew"});
-    add(survey_tvd,
-        {"tvd", "tvdepth", "truevertical", "trueverticaldepth", "tvdtrueverticaldepth", "verticaldepth", "vertdepth", "vertdep"});
-    return all;
-  }();
-  return table;
-}
-
-// the degree sign is a word of its own
+// the degree sign is a word of its own, and the Cyrillic word for it is that sign
 std::string with_degree_apart(std::string text)
 {
-  for (const char* sign : {"\xc2\xb0", "\xc2\xba"})
+  for (const std::string sign :
+       {"\xc2\xb0", "\xc2\xba", "\u0433\u0440\u0430\u0434\u0443\u0441\u044b", "\u0433\u0440\u0430\u0434"})
   {
     const std::size_t at = text.find(sign);
-    if (at != std::string::npos) text = text.substr(0, at) + " " + sign + " " + text.substr(at + 2);
+    if (at != std::string::npos) text = text.substr(0, at) + " \xc2\xb0 " + text.substr(at + sign.size());
   }
   return text;
 }
 
 bool match_name(const std::string& name, HeaderCell& cell)
 {
-  const auto found = spellings().find(name);
-  if (found == spellings().end()) return false;
-  cell.quantity = found->second;
-  cell.weak = name == "depth" || name == "dept";
+  const auto found = survey_names().find(name);
+  if (found == survey_names().end()) return false;
+  cell.quantity = found->second.quantity;
+  cell.weak = found->second.weak;
   return true;
 }
 
@@ -125,12 +97,36 @@ Words without_treatment(const Words& words)
   return without(words, treatments);
 }
 
+// AziGN, AZIM_T: the north as a word of its own
+Words with_north_apart(const Words& words)
+{
+  static const std::set<std::string> ends = {"t", "tn", "true", "g", "gn", "grid", "mn", "mag"};
+  Words apart;
+  for (const std::string& word : words)
+  {
+    apart.push_back(word);
+    for (const std::string& name : {std::string("azimuth"), std::string("azim"), std::string("azi"), std::string("az")})
+    {
+      if (word.rfind(name, 0) != 0 || ends.count(word.substr(name.size())) == 0) continue;
+      apart.back() = name;
+      apart.push_back(word.substr(name.size()));
+      break;
+    }
+  }
+  return apart;
+}
+
 void match_any(const Words& name, HeaderCell& cell)
 {
-  const Words words = without_treatment(name);
-  if (match(words, cell) || (match(without_datum(words), cell) && !is_angle(*cell.quantity))) return;
+  const Words words = with_north_apart(without_treatment(name));
   std::string north;
-  const bool is_azimuth = match(without_north(words, north), cell) && cell.quantity == survey_azimuth;
+  const Words rest = without_north(words, north);
+  if (match(words, cell) || (match(without_datum(words), cell) && !is_angle(*cell.quantity)))
+  {
+    if (cell.quantity == survey_azimuth) cell.north = north;
+    return;
+  }
+  const bool is_azimuth = match(rest, cell) && cell.quantity == survey_azimuth;
   if (is_azimuth) cell.north = north;
   if (!is_azimuth) cell.quantity.reset();
 }
@@ -259,7 +255,9 @@ void find_unknown_unit(std::size_t quantity, SurveyHeader& header)
                                   [&](const HeaderCell& cell) { return cell.quantity_without_brackets == quantity; });
   if (found == header.cells.end()) return;
   header.wrong_where = found->text;
-  header.wrong = std::string("the unit in brackets is not known, allowed: ") + survey_unit_names(is_angle(quantity)) +
+  Words brackets;
+  without_brackets(found->text, brackets);
+  header.wrong = "the unit in brackets " + why_no_unit(is_angle(quantity), brackets.empty() ? "" : brackets.front()) +
                  ", or a map `columns` (" + how_to_map + ")";
 }
 

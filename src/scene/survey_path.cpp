@@ -39,9 +39,8 @@ SurveyPath path_of_cell(const std::string& cell)
 
 std::string path_of_title(const std::string& line)
 {
-  // "Design" and "target" name wells and wellbores too; a survey's program and a comparison name both paths
-  static const std::set<std::string> planned = {"plan", "planned", "proposal", "proposed", "wellplan", "prognosis", "prognosed"},
-                                     actual = {"actual", "asdrilled", "drilled", "definitive", "surveyed"},
+  // wells and wellbores have designs and targets too; a survey's program and a comparison name both paths
+  static const std::set<std::string> of_wells = {"design", "designed", "target"},
                                      neither = {"program", "programme", "vs", "versus", "against", "deviation", "view"};
   constexpr std::size_t most_words = 6;  // longer lines are sentences
   const Words words = name_words(line);
@@ -50,8 +49,9 @@ std::string path_of_title(const std::string& line)
   for (const std::string& word : words)
   {
     if (neither.count(word) > 0) return "";
-    is_planned = is_planned || planned.count(word) > 0;
-    is_actual = is_actual || actual.count(word) > 0;
+    const SurveyPath path = of_wells.count(word) > 0 ? SurveyPath::unsaid : path_of_word(word);
+    is_planned = is_planned || path == SurveyPath::planned;
+    is_actual = is_actual || path == SurveyPath::actual;
   }
   if (is_planned == is_actual) return "";
   return path_word(is_planned ? SurveyPath::planned : SurveyPath::actual);

@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "drill_rig_sim/well/directions.h"
+#include "drill_rig_sim/well/tie_in_reach.h"
 #include "drill_rig_sim/well/well_checks.h"
 #include "survey_angles.h"
 #include "survey_positions.h"
@@ -149,14 +150,13 @@ void leave_map(TieIn& tie_in, std::vector<std::string>& remarks)
 // of a first station below the rotary table: no hole of its measured depth leads there
 void check_reach(const TieIn& tie_in, const SurveyStation& first, int line, Problems& problems)
 {
-  const double way = tie_in.position().norm();
-  if (way <= first.md + std::max(tie_in_share * first.md, tie_in_rounding)) return;
+  if (is_within_reach(tie_in, first.md)) return;
   char text[300];
   std::snprintf(
       text, sizeof text,
       "lies %.2f m from the rotary table (north %.2f, east %.2f, tvd %.2f m), allowed: up to its measured depth, %.2f m; "
       "needed: positions from the rotary table, or tie_in",
-      way, tie_in.north, tie_in.east, tie_in.tvd, first.md);
+      tie_in.position().norm(), tie_in.north, tie_in.east, tie_in.tvd, first.md);
   problems.add_at(line, "station 1", text);
 }
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "survey_units.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace drill_rig_sim
@@ -41,7 +42,7 @@ const UnitName* length_unit(const std::string& spelling)
   if (const UnitName* unit = find_unit(lengths(), text).unit) return unit;
   // the rotary table's names, from which depths are counted
   for (const std::string& datum :
-       std::vector<std::string>{"brkb", "bkb", "rkb", "kb", "brt", "mdrt", "rte", "rt", "df", "ahrt", "ahd", "md"})
+       std::vector<std::string>{"brkb", "bkb", "rkb", "kb", "brt", "mdrt", "rte", "rt", "df", "ahbrt", "ahrt", "ahd", "md"})
   {
     if (text.size() <= datum.size() || text.compare(text.size() - datum.size(), datum.size(), datum) != 0) continue;
     if (const UnitName* unit = find_unit(lengths(), text.substr(0, text.size() - datum.size())).unit) return unit;
@@ -52,6 +53,15 @@ const UnitName* length_unit(const std::string& spelling)
 const UnitName* angle_unit(const std::string& spelling)
 {
   return find_unit(angles(), compact(spelling)).unit;
+}
+
+std::string why_no_unit(bool of_angle, const std::string& spelling)
+{
+  std::string text = compact(spelling);
+  text.erase(std::remove_if(text.begin(), text.end(), [](char c) { return std::string("()[]{}").find(c) != std::string::npos; }),
+             text.end());
+  const std::string choices = find_unit(of_angle ? angles() : lengths(), text).choices;
+  return choices.empty() ? "is not known, allowed: " + survey_unit_names(of_angle) : "is ambiguous, allowed: " + choices;
 }
 
 std::string survey_unit_names(bool of_angle)

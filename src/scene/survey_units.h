@@ -12,6 +12,8 @@ namespace drill_rig_sim
 /// nullptr if it is none.
 const UnitName* length_unit(const std::string& spelling);
 const UnitName* angle_unit(const std::string& spelling);
+/// Why a spelling is no unit, in brackets or not: `is ambiguous, allowed: gon or deg`, `is not known, allowed: rad, deg, ...`.
+std::string why_no_unit(bool of_angle, const std::string& spelling);
 /// Their symbols, for messages.
 std::string survey_unit_names(bool of_angle);
 

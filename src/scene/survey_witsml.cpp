@@ -48,6 +48,22 @@ const XMLElement* child_of(const XMLElement& parent, const std::string& name)
   return found.empty() ? nullptr : found.front();
 }
 
+// the document in the answer of a server (SOAP), "" where there is none
+std::string answer_in(const XMLElement& element)
+{
+  if (name_of(element) == "xmlout")
+  {
+    const std::string text = text_of(&element);
+    return text.empty() || text[0] != '<' ? "" : text;
+  }
+  for (const XMLElement* child = element.FirstChildElement(); child; child = child->NextSiblingElement())
+  {
+    std::string text = answer_in(*child);
+    if (!text.empty()) return text;
+  }
+  return "";
+}
+
 // The one trajectory of a document; nullptr and a problem where there is none, or one of several would have to be chosen.
 const XMLElement* trajectory_of(const XMLElement& root, Problems& problems)
 {
@@ -83,8 +99,8 @@ SurveyRow row_of(const XMLElement& station, Problems& problems)
     row.units[i] = is_angle(i) ? angle_unit(uom ? uom : "") : length_unit(uom ? uom : "");
     if (row.units[i] || !problems.empty()) continue;
     problems.add_at(element->GetLineNum(), elements[i],
-                    (uom ? "unit \"" + shortened(uom) + "\" is not known" : std::string("has no unit (uom)")) +
-                        ", allowed: " + survey_unit_names(is_angle(i)));
+                    uom ? "unit \"" + shortened(uom) + "\" " + why_no_unit(is_angle(i), uom)
+                        : "has no unit (uom), allowed: " + survey_unit_names(is_angle(i)));
   }
   return row;
 }
@@ -166,6 +182,8 @@ SurveyRows read_survey_witsml(const std::string& text, const SurveyFormat& forma
     problems.add_at(document.ErrorLineNum(), "", "is not an XML document, needed: a WITSML trajectory or a table");
     return survey;
   }
+  const std::string answer = answer_in(*document.RootElement());
+  if (!answer.empty()) return read_survey_witsml(answer, format, problems);
   const XMLElement* trajectory = trajectory_of(*document.RootElement(), problems);
   if (!trajectory) return survey;
   const std::string reference = text_of(child_of(*trajectory, "aziRef"));

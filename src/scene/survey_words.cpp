@@ -1,15 +1,36 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "survey_words.h"
 
+#include "drill_rig_sim/math/latin_letters.h"
 #include "survey_rows.h"
 
 namespace drill_rig_sim
 {
 const std::map<std::string, std::string>& norths()
 {
-  static const std::map<std::string, std::string> table = {{"true", "true"},  {"tn", "true"},      {"grid", "grid"},
-                                                           {"gn", "grid"},    {"mag", "magnetic"}, {"magnetic", "magnetic"},
-                                                           {"mn", "magnetic"}};
+  static const std::map<std::string, std::string> table = {{"true", "true"},
+                                                           {"tn", "true"},
+                                                           {"t", "true"},
+                                                           {"g", "grid"},
+                                                           {"grid", "grid"},
+                                                           {"gn", "grid"},
+                                                           {"mag", "magnetic"},
+                                                           {"magnetic", "magnetic"},
+                                                           {"mn", "magnetic"},
+                                                           {"magnetisch", "magnetic"},
+                                                           {"magnetique", "magnetic"},
+                                                           {"magnetico", "magnetic"},
+                                                           {"magnitnyy", "magnetic"},
+                                                           {"magnitnyj", "magnetic"},
+                                                           {"magnitniy", "magnetic"},
+                                                           {"magnetyczny", "magnetic"},
+                                                           {"istinnyy", "true"},
+                                                           {"istinnyj", "true"},
+                                                           {"rechtweisend", "true"},
+                                                           {"geographique", "true"},
+                                                           {"geografico", "true"},
+                                                           {"direktsionnyy", "grid"},
+                                                           {"direktsionnyj", "grid"}};
   return table;
 }
 
@@ -24,7 +45,7 @@ bool is_letter(char c)
 Words name_words(const std::string& text)
 {
   Words words(1);
-  for (const char c : lowered(text))
+  for (const char c : lowered(latin_letters(text)))
   {
     if (is_letter(c))
       words.back() += c;

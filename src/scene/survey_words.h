@@ -16,7 +16,7 @@ using Words = std::vector<std::string>;
 
 /// Words that say from which north an azimuth counts, with that north: "true", "grid" or "magnetic".
 const std::map<std::string, std::string>& norths();
-/// The words of a text in small letters; signs part them.
+/// The words of a text in small Latin letters; signs part them.
 Words name_words(const std::string& text);
 /// The first `count` of them in one.
 std::string in_one(const Words& words, std::size_t count);

@@ -2,13 +2,13 @@
 #include "unlikely_values.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
 
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/well/directions.h"
 #include "drill_rig_sim/well/survey.h"
+#include "station_steps.h"
 #include "unlikely_numbers.h"
 
 namespace drill_rig_sim
@@ -23,8 +23,6 @@ constexpr double least_radians = 0.1, most_radians = 1.8;  // largest inclinatio
 constexpr std::size_t fewest_radians = 4;                  // azimuths that are no whole numbers
 constexpr double warmest_rock = 300.0;                     // that is drilled, but for geothermal wells into magma [degC]
 constexpr double sharpest = 30.0 * degree / 30.0;          // short-radius holes turn up to this [rad/m]
-constexpr std::size_t fewest_steps = 5;
-constexpr double alike = 0.06, most_alike = 0.7;  // share by which steps differ from the usual one, share of the steps that do
 
 template <class... Values>
 std::string line(const char* form, Values... values)
@@ -75,12 +73,13 @@ std::string unlikely_rock(const Scene& scene)
 
 std::vector<std::string> unlikely_values(const Scene& scene, bool stations)
 {
-  const std::string sharp = stations ? sharp_turn(scene.well.survey) : "";
-  const std::string radians = stations ? like_radians(scene.well.survey) : "";
-  const std::string feet = stations ? like_feet(scene.well.survey) : "";
-  std::vector<std::string> lines{unlikely_mud(scene.mud.density), sharp.empty() ? "" : "well.stations: " + sharp,
-                                 radians.empty() ? "" : "well.stations: " + radians, feet.empty() ? "" : "well.stations: " + feet,
-                                 unlikely_rock(scene)};
+  std::vector<std::string> lines{unlikely_mud(scene.mud.density)};
+  const std::vector<SurveyStation>& survey = scene.well.survey;
+  if (stations)
+    for (const std::string& text :
+         {sharp_turn(survey), like_radians(survey), like_feet(survey), wrong_digit(survey, *length_unit("m"))})
+      lines.push_back(text.empty() ? "" : "well.stations: " + text);
+  lines.push_back(unlikely_rock(scene));
   for (std::size_t i = 0; i < scene.string.size(); ++i) lines.push_back(unlikely_mass(scene.string[i], i));
   std::vector<std::string> found = unlikely_numbers(scene);
   for (const std::string& one : lines)
@@ -125,25 +124,6 @@ std::string like_radians(const std::vector<SurveyStation>& survey)
       "inclinations up to %g and azimuths up to %g deg, at %zu stations, look like radians; is the unit right? As degrees the "
       "hole is vertical within %g deg",
       inclination, azimuth, survey.size(), inclination);
-}
-
-std::string like_feet(const std::vector<SurveyStation>& survey)
-{
-  std::vector<double> steps;
-  for (std::size_t i = 1; i < survey.size(); ++i) steps.push_back(survey[i].md - survey[i - 1].md);
-  if (steps.size() < fewest_steps) return "";
-  std::nth_element(steps.begin(), steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2), steps.end());
-  const double usual = steps[steps.size() / 2];
-  const auto near =
-      std::count_if(steps.begin(), steps.end(), [&](double step) { return std::abs(step - usual) <= alike * usual; });
-  // of two and three joints in feet; no multiple of a stand of 26 to 29.5 m
-  const bool of_pipe = (usual > 60.2 && usual < 64.0) || (usual > 89.5 && usual < 97.0);
-  // of lists: every 10 or 25 m, every 50 ft
-  const std::array<double, 3> grids = {10.0, 25.0, 15.24};
-  const bool of_list =
-      std::any_of(grids.begin(), grids.end(), [&](double grid) { return std::abs(std::remainder(usual, grid)) < 0.01; });
-  if (!of_pipe || of_list || static_cast<double>(near) < most_alike * static_cast<double>(steps.size())) return "";
-  return line("its stations are usually %.4g m apart, as stands are in feet (62 or 93); is the unit of depth right?", usual);
 }
 
 std::string flat_begin(const std::vector<SurveyStation>& survey)

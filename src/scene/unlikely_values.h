@@ -25,10 +25,6 @@ std::string flat_begin(const std::vector<SurveyStation>& survey);
 /// round.
 std::string like_radians(const std::vector<SurveyStation>& survey);
 
-/// Where the stations of a survey in metres are as far apart as stands are in feet (60 to 64, 89 to 97), and at no even depths;
-/// empty: they are not.
-std::string like_feet(const std::vector<SurveyStation>& survey);
-
 }  // namespace drill_rig_sim
 
 #endif

@@ -7,6 +7,7 @@
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/well/directions.h"
 #include "drill_rig_sim/well/problem.h"
+#include "drill_rig_sim/well/tie_in_reach.h"
 #include "drill_rig_sim/well/well_checks.h"
 
 namespace drill_rig_sim
@@ -75,7 +76,7 @@ bool is_smooth(const Hole& hole)
 // the hole of about `length`; one that is not smooth if there is none
 Hole find_hole(const Vector3d& end, const Vector3d& direction, double length)
 {
-  const double tolerance = std::max(tie_in_share * length, tie_in_rounding);
+  const double tolerance = tie_in_tolerance(length);
   Hole arcs = hole_of(end, direction, bisect(length, [&](double x) { return 2.0 * x < hole_of(end, direction, x).middle; }));
   if (is_smooth(arcs) && std::abs(arcs.length() - length) <= tolerance) return arcs;
   return hole_of(end, direction, bisect(length, [&](double x) { return hole_of(end, direction, x).length() < length; }));
@@ -110,13 +111,12 @@ std::string tie_survey_in(const TieIn& tie_in, std::vector<SurveyStation>& surve
     return "the first md is " + metres(first.md) + ", allowed: " + metres(least_station_spacing) + " or more";
   if (!(tie_in.tvd > 0.0)) return "tvd " + metres(tie_in.tvd) + " is not below the rotary table, allowed: above 0";
   const Vector3d end = tie_in.position();
-  const double tolerance = std::max(tie_in_share * first.md, tie_in_rounding);
-  if (!(end.norm() <= first.md + tolerance))
+  if (!is_within_reach(tie_in, first.md))
     return "the first station is " + metres(end.norm()) + " from the rotary table, allowed: up to its measured depth, " +
            metres(first.md);
   const Vector3d direction = tangent_from(first.inclination, first.azimuth);
   const Hole hole = find_hole(end, direction, first.md);
-  if (!is_smooth(hole) || std::abs(hole.length() - first.md) > tolerance)
+  if (!is_smooth(hole) || std::abs(hole.length() - first.md) > tie_in_tolerance(first.md))
     return "no hole of " + metres(first.md) +
            " connects the rotary table (vertical) with the first station at a dogleg severity of up to " +
            plain(sharpest_tie_in) + " deg/30 m";

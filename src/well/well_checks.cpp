@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/well/directions.h"
@@ -37,6 +38,42 @@ std::string problem_of(const SurveyStation& s, const LengthUnit& unit)
     return "azimuth " + plain(s.azimuth / degree) + " deg is out of range, allowed: -360 to 360 deg";
   return "";
 }
+
+/// Problems of stations, of which one that is repeated becomes one line with a count.
+class StationProblems
+{
+public:
+  // `kind`: what is wrong with the station alone, "" where it is between two
+  void add(std::size_t station, const std::string& text, const std::string& kind)
+  {
+    const auto found = kind.empty() ? kinds_.end() : kinds_.find(kind);
+    if (found == kinds_.end())
+    {
+      if (!kind.empty()) kinds_[kind] = {problems_.size(), 0};
+      problems_.push_back({station, text});
+    }
+    else
+      ++found->second.further;
+  }
+
+  std::vector<SurveyProblem> all() const
+  {
+    std::vector<SurveyProblem> all = problems_;
+    for (const auto& [kind, one] : kinds_)
+      if (one.further > 0)
+        all[one.place].text +=
+            " (and " + std::to_string(one.further) + (one.further == 1 ? " further station)" : " further stations)");
+    return all;
+  }
+
+private:
+  struct Kind
+  {
+    std::size_t place, further;
+  };
+  std::vector<SurveyProblem> problems_;
+  std::map<std::string, Kind> kinds_;
+};
 
 // of a sound station after a sound one; empty if they go together
 std::string problem_between(const SurveyStation& before, const SurveyStation& s, const LengthUnit& unit)
@@ -89,14 +126,10 @@ std::string deeper_than_survey(double hole_depth, double last, Projection projec
 std::vector<SurveyProblem> survey_problems(const std::vector<SurveyStation>& stations, const std::optional<TieIn>& tie_in,
                                            const LengthUnit& unit)
 {
-  std::vector<SurveyProblem> problems;
-  if (stations.size() < 2)
-    problems.push_back({0, plain(static_cast<double>(stations.size())) + " station, needed: at least two"});
+  StationProblems problems;
+  if (stations.size() < 2) problems.add(0, plain(static_cast<double>(stations.size())) + " station, needed: at least two", "");
   if (stations.size() > most_stations)
-  {
-    problems.push_back({most_stations, "more than " + std::to_string(most_stations) + " stations, allowed: at most that many"});
-    return problems;
-  }
+    return {{most_stations, "more than " + std::to_string(most_stations) + " stations, allowed: at most that many"}};
   if (stand_upside_down(stations))
     return {{1, "md " + length_in(unit, stations[1].md) + " is not deeper than the station before it, " +
                     length_in(unit, stations[0].md) + ": the stations are listed from the bottom up, needed: from the top down"}};
@@ -110,10 +143,11 @@ std::vector<SurveyProblem> survey_problems(const std::vector<SurveyStation>& sta
       problem = "the first md is " + length_in(unit, s.md) +
                 ", needed: 0 (the rotary table), or its position: tie_in, in a CSV file north_m, east_m, tvd_m";
     if (alone.empty() && before_is_good) problem = problem_between(stations[i - 1], s, unit);
-    if (!problem.empty()) problems.push_back({i, problem});
+    if (!problem.empty()) problems.add(i, problem, alone.substr(0, alone.find(' ')));
     before_is_good = alone.empty();
   }
-  return problems.empty() ? above_the_table(stations, tie_in ? -tie_in->tvd : 0.0, unit) : problems;
+  const std::vector<SurveyProblem> all = problems.all();
+  return all.empty() ? above_the_table(stations, tie_in ? -tie_in->tvd : 0.0, unit) : all;
 }
 
 ProblemList well_problems(const WellSpec& well)

@@ -84,6 +84,22 @@ class Weights(Folder):
         for rotating, odd in ((390, 0), (350, 0), (435, 0), (330, 1), (450, 1)):  # the sheaves' friction and the gauge count
             self.assertEqual(odd, len([line for line in self.weights(table % rotating, "{file: t.csv}")[2] if "1 of 2 rows have a rotating weight" in line]), rotating)
 
+    def test_depths_that_are_repeated(self):
+        """With another weight they are reported, in a table of drill weights each is a move of its own."""
+        again = [line for line in self.weights(PLAIN + "900,110,94.5\n1200,125,105\n")[2] if "again" in line]
+        self.assertEqual(2, len(again), again)
+        self.assertIn("pick_up: 2 rows hold a depth again with another weight, and each is used (first: %s/t.csv:5: 489.3 kN at 900 m, %s/t.csv:3: 463.7 kN)" % (self.folder, self.folder), again[0])
+        self.assertIn("slack_off: 1 rows hold", again[1])
+        self.assertEqual([], self.weights(PLAIN + "900,104.25,94.5\n")[2])
+        self.assertEqual([], self.weights("motion,depth (m),pick_up (kN)\nup,600,400\nup,600,410\n", "{file: t.csv}")[2])
+
+    def test_weights_of_another_unit(self):
+        """190 tf at 3000 m are a string, 190 kgf and 1.9 kN are none."""
+        table = "depth (m),pick_up (%s)\n1000,120\n2000,150\n3000,190\n"
+        for unit, lines in (("tf", 0), ("klbf", 0), ("kgf", 1), ("kN", 0), ("daN", 1)):
+            with self.subTest(unit):
+                self.assertEqual(lines, sum("is its unit right?" in line for line in self.weights(table % unit, "{file: t.csv}")[2]))
+
     def test_columns_that_are_known_by_their_names(self):
         """Rows with several weights, of which a missing one is reported; and rows with one each, as drill weights writes them, of which none is missing. The torque must be named."""
         names = PLAIN.replace("MD,PU,SO", "depth (m),pick_up (klbf),slack_off (klbf)")

@@ -64,6 +64,20 @@ class Dates(Folder):
         self.right(self.read("\n".join([lines[0], *lines[:0:-1]]) + "\n"), ["its rows begin with the last one in time and are read in the order of time"])
         self.refused("the time goes back", "\n".join([lines[0], *lines[:1:-1], lines[1], lines[4]]) + "\n")
 
+    def test_months_in_other_languages(self):
+        """Short and long, with accents and points; of Finnish, whose names begin as those of other months, none."""
+        names = {1: "Januar janvier enero gennaio jan.", 2: "Februar février févr. fev febbraio", 3: "März Mär. mars marzo março maart", 4: "avril avr. abril abr", 5: "Mai mayo maggio mei mai.",
+                 6: "Juni juin junio giugno", 7: "Juli juillet juil. julio luglio", 8: "août agosto ago", 9: "septembre setembro set. settembre", 10: "Oktober Okt. octubre outubro ottobre",
+                 11: "novembre noviembre", 12: "Dezember Dez. décembre diciembre desember"}
+        for month, texts in names.items():
+            for name in texts.split():
+                expected = datetime.datetime(2026, month, 21, 10, 3, 5, tzinfo=datetime.timezone.utc).timestamp()
+                for form in ("21. %s 2026 10:03:05", "21 %s 2026 10:03:05", "21-%s-2026 10:03:05", "21. %s 2026, 10:03:05 Uhr"):
+                    self.assertEqual(expected, (seconds_of(form % name) or [None])[0], form % name)
+        for text in ("21 marraskuu 2026 10:03:05", "21 Monat 2026 10:03:05", "21. 2026 10:03:05"):
+            self.assertIsNone(seconds_of(text), text)
+        self.assertEqual(seconds_of("2026-05-21 22:03:05"), seconds_of("21/05/2026 10:03:05 p. m.", "%d/%m/%Y %I:%M:%S %p"))
+
     def test_dates_of_many_forms(self):
         for text in ("Sat Nov 28 10:03:00 2026", "Saturday, 28 November 2026 10:03:00", "2026/332 10:03:00", "2026-332T10:03:00Z", "2026332T100300", "20261128_100300", "28-Nov-2026, 10:03",
                      "Nov 28, 2026 10:03:00 a.m.", "2026-11-28 10:02:60", "2026:332:10:03:00"):

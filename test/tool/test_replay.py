@@ -380,7 +380,7 @@ class Replays(Folder):
         """The column was there: the refusal says why it was not read."""
         for heads, said in (("Hook Load (tonf),Block Height (m)", "holds nothing to compare; needed: hook_load or torque or stand_pipe_pressure; hook_load is left out: Hook Load (tonf): unit tonf is ambiguous"),
                             ("Hook Load (kN),Block Height (dm)", "needs block_height or block_velocity; block_height is left out: Block Height (dm): unit dm is not known"),
-                            ("Weight on Hook (kN),Block Height (m)", "holds nothing to compare; needed: hook_load or torque or stand_pipe_pressure; no column is recognised as ")):
+                            ("Load at the Hook (kN),Block Height (m)", "holds nothing to compare; needed: hook_load or torque or stand_pipe_pressure; no column is recognised as ")):
             with self.subTest(heads):
                 with self.assertRaises(RecordError) as caught:
                     check(read_record(self.file("r.csv", "Time (s),%s\n0,200,10\n1,200,9\n" % heads)))

@@ -43,6 +43,16 @@ RECORDS = {
     "seconds of 1970": PLAIN + rows("%(t)s,%(h)s,%(b)s", "%s"),
     "minutes": PLAIN.replace("Time (s)", "Elapsed Time (min)") + "".join("%.17g,%s\n" % (t / 60, line.split(",", 1)[1]) for t, line in zip(SECONDS, rows("%(t)s,%(h)s,%(b)s").splitlines())),
     "German": "Datum;Zeit;Hook Load (t);Block Height (m)\n" + rows("%(t)s;%(h)s;%(b)s", "%d.%m.%Y;%H:%M:%S", load=KLBF / 9806.65, block=FEET).replace(".", ",").replace("21,05,2024", "21.05.2024"),
+    "German names": "Datum;Uhrzeit;Hakenlast [t];Hakenhöhe [m];Meißelteufe [m];Drehzahl [U/min];Drehmoment [kNm];Pumpendruck [bar];Spülrate [l/min]\n" +
+                    rows("%(t)s;%(h)s;%(b)s;%(d)s;60;5;100;2000", "%d.%m.%Y;%H:%M:%S", load=KLBF / 9806.65, block=FEET).replace(".", ",").replace("21,05,2024", "21.05.2024"),
+    "French names": "Horodatage;Poids au crochet (kkg);Hauteur crochet (m);Profondeur outil (m);Vitesse de rotation (tr/min);Couple (daN.m);Pression refoulement (barg);Débit entrée (l/min)\n" +
+                    rows("%(t)s;%(h)s;%(b)s;%(d)s;60;500;100;2000", "%Y-%m-%d %H:%M:%S", load=KLBF / 9806.65, block=FEET).replace(".", ","),
+    "Spanish names": "Fecha y hora;Carga en el gancho (klb);Posición del bloque (pies);Profundidad de la barrena (m);RPM superficie;Torque superficie (kN.m);Presión de bombas (kPag);"
+                     "Caudal entrada (L/min)\n" + rows("%(t)s;%(h)s;%(b)s;%(d)s;60;5;10000;2000", "%Y-%m-%d %H:%M:%S").replace(".", ","),
+    "Portuguese names": "Data;Hora;Carga no gancho (klbf);Altura do bloco (ft);Profundidade da broca (m);RPM;Pressão de bombeio (psig);Vazão de entrada (L/min)\n" +
+                        rows("%(t)s;%(h)s;%(b)s;%(d)s;60;1450,3773773;2000", "%Y-%m-%d;%H:%M:%S").replace(".", ","),
+    "Russian names": "Дата;Время;Вес на крюке, тс;Положение талблока, м;Положение долота, м;Обороты ротора, об/мин;Момент на роторе, кН·м;Давление на стояке, МПа;Расход на входе, л/с\n" +
+                     rows("%(t)s;%(h)s;%(b)s;%(d)s;60;5;10;33.333333333", "%d.%m.%Y;%H:%M:%S", load=KLBF / 9806.65, block=FEET).replace(".", ",").replace("21,05,2024", "21.05.2024"),
     "ISO 8601 with a decimal comma": "Time;Hook Load (klbf);Block Height (ft)\n" + rows("%(t)s,000Z;%(h)s;%(b)s", "%Y-%m-%dT%H:%M:%S"),
     "ISO 8601 with an offset": "Time,Hook Load (klbf),Block Height (ft)\n" + rows("%(t)s.000000 +00:00,%(h)s,%(b)s", "%Y-%m-%d %H:%M:%S"),
     "a hook load of three columns": "Time (s),Hookload Max (klbf),Hookload Min (klbf),Hookload Avg (klbf),Block Height (ft)\n" + rows("%(t)s,999,1,%(h)s,%(b)s"),
@@ -68,6 +78,9 @@ NOT_RECORDS = {
     "pounds called klbf": (PLAIN + rows("%(t)s,%(h)s,%(b)s", load=1e3), "is the unit right?"),
     "a time that lost its zero": ("Date (YYYYMMDD),Time (HHMMSS),Hook Load (klbf),Block Height (ft)\n" + rows("%(t)s,%(h)s,%(b)s", "%Y%m%d,%H%M%S").replace(",09", ",9"), "unit HHMMSS is not known for a time"),
     "by depth": (LAS.replace("STRT.S", "STRT.M") % ("DEPT.M : d\nROP.M/HR : r\nHKLD.KLBF : h\n", rows("%(t)s 10 %(h)s")), "none of its curves is a time"),
+    "two wells by their titles": ("Well: A-1\n" + PLAIN + "".join(rows("%(t)s,%(h)s,%(b)s").splitlines(True)[:3]) + "Well: B-2\n" + PLAIN + "".join(rows("%(t)s,%(h)s,%(b)s").splitlines(True)[3:]),
+                                  "r.csv:6: is of B-2, the lines above of A-1; needed: one well in a file"),
+    "two wells by comments": ("# Well Name = A-1\n" + PLAIN + rows("%(t)s,%(h)s,%(b)s") + "# Well Name = B-2\n30,206,66\n", "is of B-2"),
     "numbers of WITS": ("0105,0106,0108,0112,0114\n" + rows("%(t)s,%(d)s,%(b)s,%(h)s", "%y%m%d,%H%M%S"), "no column is recognised as the time"),
 }
 
@@ -104,7 +117,7 @@ SURVEYS = {
     "WITSML 2.0 in US survey feet": xml(STATION_2.replace('"m"', '"ft[US]"'), md=3937 / 1200, **VERSION_2),
 }
 NOT_SURVEYS = {
-    "no unit of depth": ("MD,Inc,Azi\n" + stations(), "the header gives no unit"), "grads": ("MD (m),Inc (grad),Azi (grad)\n" + stations(), "allowed: rad, deg, rev, gon"),
+    "no unit of depth": ("MD,Inc,Azi\n" + stations(), "the header gives no unit"), "grads": ("MD (m),Inc (grad),Azi (grad)\n" + stations(), "ambiguous, allowed: gon or deg"),
     "from the bottom up": ("MD (m),Inc (deg),Azi (deg)\n300,0,0\n200,0,0\n0,0,0\n", "from the bottom up"), "negative depths": ("MD (m),Inc (deg),Azi (deg)\n" + stations(md=-1.0), "is not deeper than"),
     "no unit of WITSML": (xml(STATION.replace(' uom="m"', "")), "md: has no unit (uom)"), "positions alone": ("TVD (m),N/S (m),E/W (m)\n0,0,0\n", "no line names measured depth, inclination and azimuth"),
 }
@@ -135,7 +148,7 @@ class Files(Folder):
         numpy.testing.assert_allclose(record.signals["top_drive_speed"], 2.0 * math.pi)
         numpy.testing.assert_allclose(record.signals["flow"], 0.02)
         for said in ("top_drive_speed: Surface RPM has no unit and is read as rpm", "Flow (L/min) is read as the flow into the well",
-                     "2 lines of text between the rows or after them are skipped (first: line 6)", "1 lines repeat the names of the columns"):
+                     "2 lines of text between the rows or after them are skipped (first: line 6: Page 1 of 2)", "1 lines repeat the names of the columns"):
             self.assertIn(said, "\n".join(record.remarks))
 
     def test_what_no_rig_has(self):

@@ -104,7 +104,7 @@ TEST(SceneSurvey, WhatMayBeTwoThingsIsRefused)
   EXPECT_TRUE(holds(refusal("MD (ft),Inc (deg),Azi (deg)\n0,0,0\n9,0,0\n", format),
                     "MD (ft): the unit is ft in the header and m in the map"));
   EXPECT_TRUE(holds(refusal("MD (m),Inc (grad),Azi (deg)\n0,0,0\n"),
-                    ":1: Inc (grad): the unit in brackets is not known, allowed: rad, deg, rev, gon"))
+                    ":1: Inc (grad): the unit in brackets is ambiguous, allowed: gon or deg"))
       << "degrees in German, gons in English";
   // thousands or decimals
   EXPECT_TRUE(holds(refusal("MD (ft);Inc (deg);Azi (deg)\n0;0;0\n1,000;2;40\n2,000;3;41\n"), ":3: MD (ft): the comma may be"));
@@ -128,7 +128,7 @@ TEST(SceneSurvey, AMapNamesColumns)
   format.delimiter = ";";
   const SurveyTable table = read("Tiefe;Neigung;Azi Grid;Azi True\n0;0;0;0\n100;5,5;200,5;201\n", format);
   expect_station(table.stations[1], 100.0, 5.5, 200.5);
-  ASSERT_EQ(2u, table.remarks.size());
+  ASSERT_EQ(2u, table.remarks.size()) << "the map says that Tiefe is measured depth";
   EXPECT_TRUE(holds(table.remarks[0], "refer to grid north"));
   format.md.column = "Depth";
   EXPECT_TRUE(holds(refusal("Tiefe;Neigung;Azi Grid\n0;0;0\n", format),
@@ -184,9 +184,8 @@ TEST(SceneSurvey, ALineAboveTheHeaderMayNameTheNorth)
 TEST(SceneSurvey, ALineOfUnitsMayHaveWordsBesideThem)
 {
   EXPECT_NEAR(1000.0 * foot, read("Depth;Inc;Azi\nft RKB;decimal degrees;dec deg\n0;0;0\n1000;2;30\n").stations[1].md, 1e-9);
-  EXPECT_TRUE(
-      holds(refusal("Depth;Inc;Azi\nft;deg;sixtieths\n0;0;0\n1000;2;30\n"), ":2: Azi: \"sixtieths\" is not a known unit"));
-  EXPECT_TRUE(holds(refusal("Depth;Inc;Azi\nfathoms;deg;deg\n0;0;0\n1000;2;30\n"), ":2: Depth: \"fathoms\" is not a known unit"));
+  EXPECT_TRUE(holds(refusal("Depth;Inc;Azi\nft;deg;sixtieths\n0;0;0\n1000;2;30\n"), ":2: Azi: unit \"sixtieths\" is not known"));
+  EXPECT_TRUE(holds(refusal("Depth;Inc;Azi\nfathoms;deg;deg\n0;0;0\n1000;2;30\n"), ":2: Depth: unit \"fathoms\" is not known"));
 }
 
 TEST(SceneSurvey, TheTieInHasUnitsToo)

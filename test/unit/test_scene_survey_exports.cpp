@@ -111,7 +111,8 @@ TEST(SceneSurvey, PagesAndFooters)
   expect_station(pages.stations[1], 300.0, 5.0, 45.0);
   expect_station(pages.stations.back(), 600.0, 10.0, 45.0);
   ASSERT_EQ(1u, pages.remarks.size());
-  EXPECT_TRUE(holds(pages.remarks[0], "7 lines without a station, text or the header again, skipped (first: line 7)"));
+  EXPECT_TRUE(
+      holds(pages.remarks[0], "7 lines without a station, text or the header again, skipped (first: line 7: Page 1 of 2)"));
   const SurveyTable report = read(
       " Measured\n  Depth      Inclination  Azimuth\n   (ft)         (deg)      (deg)\n      0.0        0.0      0.0\n"
       "   1000.0       10.0     45.0\n\n28/05/2024 10:12:33   Page 1   Build 74\n\f Measured\n  Depth      Inclination  Azimuth\n"
@@ -184,7 +185,7 @@ TEST(SceneSurvey, ADatumThatIsNotTheRotaryTable)
   for (const char* line :
        {"TVD Reference: Mean Sea Level", "MD Reference: RKB @ 35.2 m above MSL", "Permanent datum: MSL", "Water depth to MSL"})
     EXPECT_TRUE(read(std::string(line) + "\n" + rows).remarks.empty()) << line;
-  EXPECT_TRUE(holds(refusal("MD,Inc,Azi\nft MSL,deg,deg\n0,0,0\n500,10,45\n"), "\"ft MSL\" is not a known unit"));
+  EXPECT_TRUE(holds(refusal("MD,Inc,Azi\nft MSL,deg,deg\n0,0,0\n500,10,45\n"), "unit \"ft MSL\" is not known"));
 }
 
 TEST(SceneSurvey, InclinationsFromTheHorizontal)

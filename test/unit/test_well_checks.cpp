@@ -33,6 +33,14 @@ std::vector<std::string> said_of_second(const SurveyStation& s)
 
 using Texts = std::vector<std::string>;
 
+// A problem of many stations is one line with their count; others keep a line of their own.
+TEST(SurveyChecks, ARepeatedProblemIsOneLine)
+{
+  EXPECT_EQ(Texts({"1: azimuth 361 deg is out of range, allowed: -360 to 360 deg (and 1 further station)",
+                   "3: inclination 181 deg is out of range, allowed: 0 to 180 deg"}),
+            said_of({{0.0, 0.0, 0.0}, {10.0, 0.0, 361.0 * degree}, {20.0, 0.0, 362.0 * degree}, {30.0, 181.0 * degree, 0.0}}));
+}
+
 TEST(SurveyChecks, EachRuleSaysWhereAndWhat)
 {
   const double nan = std::nan(""), infinity = std::numeric_limits<double>::infinity();

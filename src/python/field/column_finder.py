@@ -1,19 +1,17 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Which columns of a table hold which signals, where no map names them."""
-import re
-
 from drill_rig_sim.field.cells import is_blank, is_number
 from drill_rig_sim.field.columns import Column
 from drill_rig_sim.field.dates import EARLIEST, fitting, form_said, is_time_of_day, joined, seconds_of
 from drill_rig_sim.field.heading import Wanted
 from drill_rig_sim.field.quality import flags_in
-from drill_rig_sim.field.signals import NAMES, OWN, known, si_unit, word
+from drill_rig_sim.field.signals import NAMES, OWN, known, si_unit, word, words_in
 from drill_rig_sim.field.table import RecordError, apart, bare, shown, unit_in
 from drill_rig_sim.field.units import DATE, is_unit
 
 ZONES = ("tz", "timezone", "utcoffset", "gmtoffset", "zone")  # columns of time zones
 # columns of their own, of dates and of times of the day
-DATES, TIMES_OF_DAY = ("date", "yyyymmdd", "ddmmyyyy", "mmddyyyy", "datum", "fecha"), ("time", "hhmmss", "timeofday", "clock", "zeit", "uhrzeit", "hora", "heure")
+DATES, TIMES_OF_DAY = ("date", "yyyymmdd", "ddmmyyyy", "mmddyyyy", "datum", "fecha", "data", "dato"), ("time", "hhmmss", "timeofday", "clock", "zeit", "uhrzeit", "hora", "heure", "ora", "tid", "tijd", "vremya")
 DEPTHS, VERTICAL = ("bit_depth", "hole_depth"), {"tvd", "tvdss", "vert", "vertical", "lag", "lagged"}  # `Hole Depth (TVD)`, `Depth Bit (vert)`
 EXTREMES = {"max", "min", "maximum", "minimum"}  # `Hookload (max)`
 # what no gauge has measured: `Flow In (set point)`, `Hook Load (model)`
@@ -80,7 +78,7 @@ class AllOf(Wanted):
 def named(names):
     """Signal -> places of the columns with one of its names, the best first. A vertical depth is none of a string, a set point none of a gauge, a downhole tool none of
     the rig; extremes of a row's interval come last."""
-    words = [set(re.findall("[a-z]+", name.lower())) for name in names]
+    words = [words_in(name) for name in names]
     found = {signal: [place for place in places if not words[place] & (NOT_MEASURED | (VERTICAL if signal in DEPTHS else DOWNHOLE))] for signal, places in known([bare(name) for name in names]).items()}
     return {signal: sorted(places, key=lambda place: bool(words[place] & EXTREMES)) for signal, places in found.items() if places}
 
@@ -123,7 +121,7 @@ def known_columns(table, remarks, mapped, taken):
             remarks += ["%s is taken from %s; not used: %s" % (signal, found[signal].names[0], ", ".join(passed))] if passed else []
             remarks += unread_of(found[signal].names[0], signal)
             remarks += ["%s is read as the flow into the well" % found[signal].names[0]] if word(bare(found[signal].names[0])) == "flow" else []
-        elif "rpm" in re.findall("[a-z]+", table.names[places[0]].lower()):
+        elif "rpm" in words_in(table.names[places[0]]):
             found[signal] = Column([table.names[places[0]]], "rpm")
             remarks.append("%s: %s has no unit and is read as rpm" % (signal, table.names[places[0]]))
         else:
@@ -134,7 +132,7 @@ def known_columns(table, remarks, mapped, taken):
 
 def unread_of(name, signal):
     """A line on what stands in the brackets of a name, beside its unit, and may change its numbers: `Hook Load (excl. block) (kN)`."""
-    texts = [text for text in apart(name)[1] if not is_unit(text) and set(re.findall("[a-z]+", text.lower())) - HARMLESS]
+    texts = [text for text in apart(name)[1] if not is_unit(text) and words_in(text) - HARMLESS]
     known_unit = unit_in(name)
     return ["%s: (%s) in the name of %s is not taken into account" % (signal, text, name) for text in texts if text != known_unit]
 

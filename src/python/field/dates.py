@@ -4,13 +4,17 @@ import itertools
 import re
 from datetime import datetime, timedelta, timezone
 
+from drill_rig_sim.field.signals import latin_letters
+
 CLOCK = r"(?P<hour>\d\d?):(?P<minute>\d\d)(?::(?P<second>\d\d)(?:(?:[.,]|:(?=\d{3}\b))(?P<fraction>\d+))?)?"
 OFFSET = r"[+-]\d\d?(?::?\d\d)?"
 ZONE = r"Z|(?:UTC|GMT)(?: ?" + OFFSET + ")?|" + OFFSET
 HALF = r"(?P<half>[AP]\.? ?M\.?(?![A-Z]))?"
-REST = r"(?:[T ]+|, ?|_)" + CLOCK + r"\s*" + HALF + r"\s*(?P<zone>" + ZONE + ")?$"
+REST = r"(?:[T ]+|, ?|_)" + CLOCK + r"\s*" + HALF + r"\s*(?:Uhr)?(?P<zone>" + ZONE + ")?$"
 DAY_OF_WEEK = r"(?:(?:mon|tue|wed|thu|fri|sat|sun)[a-z]*\.?,? +)?"
-MONTH = r"(?P<month>jan|feb|mar|apr|may|jun|jul|aug|sep|oct|nov|dec)[a-z]*\.?"
+# English, German, Dutch, Norwegian, French, Spanish, Portuguese and Italian, without accents; marraskuu of Finnish is November
+MONTHS = ("jan ene gen", "feb fev", "mar mrt maa", "apr avr abr", "may mai mag mei maj", "jun juin giu", "jul juil lug", "aug aou ago", "sep set", "oct okt out ott", "nov", "dec dez dic des")
+MONTH = r"(?P<month>(?:%s)(?!raskuu))[a-z]*\.?" % "|".join(name for names in MONTHS for name in names.split())
 # in the name of a column or in its unit: `Time (UTC+2)`, `TIME_GMT`, `Time [+02:00]`, `Time (UTC + 5.5 h)`
 HOURS = r"\s*(?:h|hrs?|hours?)"
 OFFSET_IN_NAME = r"[+\-\u2212\u2013]\s*\d\d?(?::?\d\d|[.,]\d+)?(?:" + HOURS + ")?"
@@ -26,6 +30,7 @@ NAME_OF_ZONE = re.compile(r"(?<![A-Za-z])([Ll]ocal|LOCAL|%s|(?:%s)/[A-Za-z_]+(?:
 UNMISTAKABLE = [re.compile(form, re.IGNORECASE) for form in (
     r"(?P<year>\d{4})(?P<sign>[-/.])(?P<month>\d\d?)(?P=sign)(?P<day>\d\d?)" + REST,
     DAY_OF_WEEK + r"(?P<day>\d\d?)(?P<sign>[-/ ]|\. ?|)" + MONTH + r"(?P=sign)(?P<year>\d{4})" + REST,
+    r"(?P<day>\d\d?)\. " + MONTH + r" (?P<year>\d{4})" + REST,
     r"(?P<day>\d\d?)\.(?P<month>\d\d?)\.(?P<year>\d{4})" + REST,
     DAY_OF_WEEK + MONTH + r" +(?P<day>\d\d?),? +(?P<year>\d{4})" + REST,
     DAY_OF_WEEK + MONTH + r" +(?P<day>\d\d?) +" + CLOCK + r"(?P<half>)(?: +(?P<zone>" + ZONE + r"))? +(?P<year>\d{4})$",  # of ctime
@@ -34,14 +39,14 @@ UNMISTAKABLE = [re.compile(form, re.IGNORECASE) for form in (
     # of ISO 8601 without signs: 20240521T095950Z, 20240521 095950, 2024142T095950
     r"(?P<year>(?:19|20)\d\d)(?:(?P<month>\d\d)(?P<day>\d\d)|(?P<day_of_year>\d{3}))[T _](?P<hour>\d\d)(?P<minute>\d\d)(?P<second>\d\d)(?:[.,](?P<fraction>\d+))?(?P<half>)"
     r"(?P<zone>" + ZONE + ")?$")]
-MONTHS = "jan feb mar apr may jun jul aug sep oct nov dec".split()
 ELAPSED = re.compile(r"(?:(\d+)\s*(?:d|days?)[,\s]*)?(\d+):([0-5]?\d):([0-5]?\d(?:[.,]\d+)?)$", re.IGNORECASE)
+SPANISH_HALF = re.compile(r"\b([AP])\. ?M\.?(?![A-Z])", re.IGNORECASE)  # a. m.
 TWO_PARTS = re.compile(r"(\d+):([0-5]\d(?:[.,]\d+)?)$")
 OF_DAY = re.compile(CLOCK + r"\s*([AP]M)?$", re.IGNORECASE)
 TOUCHING = re.compile(r"%[a-zA-Z]%[a-zA-Z]")
 DAYS = ("%d/%m/%Y", "%m/%d/%Y", "%d-%m-%Y", "%m-%d-%Y", "%d/%m/%y", "%m/%d/%y", "%d.%m.%y", "%y.%m.%d", "%y/%m/%d", "%y-%m-%d", "%d-%m-%y", "%m-%d-%y", "%d-%b-%y", "%d %b %y", "%b %d %y", "%Y%m%d",
         "%d%m%Y", "%y%m%d", "%d.%m.%Y", "%Y-%m-%d", "%Y/%m/%d", "%j/%Y", "%y-%j", "%Y\u5e74%m\u6708%d\u65e5")
-CLOCKS = ("%H:%M:%S", "%H:%M:%S.%f", "%I:%M:%S %p", "%H:%M", "%I:%M %p", "%I:%M:%S%p", "%H.%M.%S", "%H-%M-%S", "%Hh%Mm%Ss", "%H%M%S", "%H\u65f6%M\u5206%S\u79d2")
+CLOCKS = ("%H:%M:%S", "%H:%M:%S.%f", "%I:%M:%S %p", "%H:%M", "%I:%M %p", "%I:%M:%S%p", "%H.%M.%S", "%H-%M-%S", "%Hh%Mm%Ss", "%Hh%Mm%S", "%H%M%S", "%H\u65f6%M\u5206%S\u79d2")
 GUESSED = [" ".join(both) for both in itertools.product(DAYS, CLOCKS)] + [clock + " " + day for clock, day in itertools.product(CLOCKS[:5], DAYS)]
 GUESSED += ["%Y-%m-%d-%H-%M-%S", "%Y-%m-%d-%H:%M:%S", "%Y-%m-%d_%H-%M-%S", "%Y%m%d%H%M%S", "%Y%m%d%H%M", "%y%m%d%H%M%S", "%d%m%Y%H%M%S", *CLOCKS[:3], "%j:%H:%M:%S", "%j %H:%M:%S"]
 MOST_GUESSES = 3
@@ -99,6 +104,7 @@ def own_offset(text, form=None):
 
 
 def by_form(text, form):
+    text = SPANISH_HALF.sub(r"\1m", text)
     when = datetime.strptime(text, form)
     if TOUCHING.search(form) and len(when.strftime(form)) > len(text) and "%f" not in form:
         return None  # 1005 by %H%M%S: strptime would take it for 10:00:05, it may be 00:10:05
@@ -106,6 +112,7 @@ def by_form(text, form):
 
 
 def unmistakable(text):
+    text = text if text.isascii() else latin_letters(text)
     found = next((match for match in (form.match(text) for form in UNMISTAKABLE) if match), None)
     if found is None:
         return None
@@ -123,7 +130,7 @@ def unmistakable(text):
 
 
 def month_of(text):
-    return int(text) if text.isdigit() else 1 + MONTHS.index(text[:3].lower())
+    return int(text) if text.isdigit() else 1 + next(k for k, names in enumerate(MONTHS) if text.lower() in names.split())
 
 
 def zone_of(text):

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A fit's file: what is fitted to what."""
 import os
-import re
 
 import numpy
 from drill_rig_sim.campaign.plan_text import PlanError, plan_of
@@ -14,6 +13,7 @@ from drill_rig_sim.field.models import MOTIONS, ModelError, Period, RecordModel,
 from drill_rig_sim.field.quality import take_flags
 from drill_rig_sim.field.record import COMPARED, RecordError, prefixed, read_record, read_table
 from drill_rig_sim.field.signal_reader import values_of
+from drill_rig_sim.field.signals import words_in
 from drill_rig_sim.field.start import FROM
 from drill_rig_sim.field.table import bare
 from drill_rig_sim.field.weight_checks import leave_out_zeros, unlikely
@@ -156,7 +156,7 @@ def known_columns(table):
     """Column by depth and weight, of those that were measured. RecordError where two are called alike."""
     found = {}
     for name in table.names:
-        what, words = bare(name), set(re.findall("[a-z]+", name.lower()))
+        what, words = bare(name), words_in(name)
         if quantity_of(what) not in ("bit_depth", "hook_load") or words & (NOT_MEASURED | (VERTICAL if what == "depth" else set())):
             continue
         if what in found:

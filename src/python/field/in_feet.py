@@ -1,15 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Lengths in feet under a heading of metres: pipe that is added or taken away in a record, and the steps of depth of a table, have lengths that joints and stands have in
-feet and not in metres."""
+"""Lengths in feet under a heading of metres: pipe that is added or taken away in a record has a length that joints and stands have in feet and not in metres."""
 import numpy
 
 LEAST_PIPE, LEAST_CONNECTIONS = 5.0, 2  # of pipe that is added or taken away at a time [m]
 OF_PIPE = ((29.8, 34.0), (45.0, 130.0))  # lengths of joints and stands in feet that none of them has in metres: 30 to 33, and above 45
 STANDS = 0.01  # by which the bit may move from row to row while pipe is added [m]
 LIGHT = 0.5    # of the hook loads that the largest tenth exceeds, below which a string is taken to hang in the slips
-OF_STEPS = ((30.1, 33.0), (60.2, 64.0), (89.5, 97.0))  # of depth, of one, two and three joints in feet; no multiple of a stand of 26 to 29.5 m
-ALIKE, LEAST_STEPS, MOST = 0.06, 3, 0.7  # share by which steps differ from the usual one, how many there are, share of them that are alike
-ROUND = (10.0, 25.0, 15.24)  # steps of a list that no pipe makes [m]; the last are 50 ft
 
 
 def pipe_in_feet(record):
@@ -45,14 +41,3 @@ def by_the_load(record):
     edges = numpy.flatnonzero(numpy.diff(light.astype(int)))
     edges = edges[1:] if len(edges) and light[0] else edges
     return numpy.array([block[begin:end].sum() for begin, end in zip(edges[::2], edges[1::2])])
-
-
-def steps_in_feet(depths):
-    """The usual step of these depths [m] where it is one of joints or stands in feet and not in metres; else None. Steps of a list, as every 30 m or 100 ft, are none."""
-    steps = numpy.diff(numpy.unique(depths[numpy.isfinite(depths)]))
-    if len(steps) < LEAST_STEPS:
-        return None
-    usual = float(numpy.median(steps))
-    alike = (numpy.abs(steps - usual) <= ALIKE * usual).mean() >= MOST
-    is_round = any(abs(usual / unit - round(usual / unit)) * unit < 0.01 for unit in ROUND)
-    return usual if alike and not is_round and any(low < usual < high for low, high in OF_STEPS) else None

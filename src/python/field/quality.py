@@ -5,9 +5,9 @@ import functools
 import re
 
 from drill_rig_sim.field.cells import is_number
+from drill_rig_sim.field.native import of_module
 from drill_rig_sim.field.signals import OWN, RANKS, word
 from drill_rig_sim.field.table import RecordError, bare, shown
-from drill_rig_sim.refusal import Refusal
 
 MOST_CODES = 8  # different numbers of a column of flags; more are a measure of quality, as per cent
 MOST_SHOWN = 4  # different cells in a message
@@ -24,14 +24,6 @@ def flag_name(name):
 def without_brackets(name):
     """Of `Hook Load (klbf) Quality` too."""
     return BRACKETS.sub(" ", name)
-
-
-def of_module():
-    try:
-        from drill_rig_sim import _sim  # pylint: disable=import-outside-toplevel
-    except ImportError as error:
-        raise Refusal("records are read by the Python module sim, which is not built (it needs pybind11-dev): %s" % error)
-    return _sim
 
 
 def flags_in(names):

@@ -6,6 +6,7 @@ import re
 import numpy
 from drill_rig_sim.field.column_finder import AllOf, ByMap, OfTheTrade
 from drill_rig_sim.field.columns import ColumnMap, read_map
+from drill_rig_sim.field.contradictions import contradictions
 from drill_rig_sim.field.dates import written
 from drill_rig_sim.field.files import begins_with, bytes_of, text_of
 from drill_rig_sim.field.in_feet import pipe_in_feet
@@ -21,6 +22,7 @@ COMPARED = ("hook_load", "torque", "stand_pipe_pressure")  # with what is simula
 BELOW_BOTTOM = 1.0  # from which on a bit below the hole's bottom is reported [m]
 LEAST_LOAD, HIGHEST_BLOCK, LONGEST_WAY = 5e3, 65.0, 55.0  # of a rig [N], of its block and of that's way [m]; others are reported
 LEAST_PRESSURE, LEAST_FLOW, MOST_FLOW = 2e4, 3e-3, 0.13  # of a stand pipe while the pump runs [Pa], [m3/s]; more than three pumps deliver [m3/s]
+MOST_PRESSURE, MOST_SPEED, MOST_TORQUE = 6e7, 33.5, 1.5e5  # of pumps [Pa], and of top drives: 320 rpm [rad/s], [N m]; others are reported
 FASTEST_BLOCK = 6.0  # of a record, between two rows; twice what drawworks do, because times may be rounded [m/s]
 FAR_LOAD, MOST_FAR = 4.0, 3  # times as large as the largest of all other hook loads; rows
 SPACINGS = (1e-3, 120.0)  # of a record's rows [s]; others are reported
@@ -173,7 +175,7 @@ def remarks_of(record):
         lines.append("a gap of %.4g s from %.6g s on" % (longest, begin))
     lines += ["%s is %.4g times as large from %.6g s on, as if its unit changed from %s to %s; check its values before that time and after it" %
               (signal, ratio, record.time[row], before, after) for signal, row, ratio, before, after in unit_changes(record.time, record.signals)]
-    lines += below_bottom(record) + unlikely(record) + fast_block(record) + far_loads(record)
+    lines += below_bottom(record) + unlikely(record) + fast_block(record) + far_loads(record) + contradictions(record)
     return lines + ["has no %s: %s" % (signal, so) for signal, so in (
         ("flow", "the pump is assumed to be off"), ("top_drive_speed", "the string is assumed not to rotate"),
         ("bit_depth", "the string is assumed to move with the block at all times")) if signal not in record]
@@ -201,6 +203,9 @@ def unlikely(record):
         ("hook_load", largest("hook_load") < LEAST_LOAD, "less than a block weighs"),
         ("block_height", largest("block_height") > HIGHEST_BLOCK, "higher than masts are"),
         ("flow", largest("flow") > MOST_FLOW, "more than the pumps of a rig deliver"),
+        ("stand_pipe_pressure", largest("stand_pipe_pressure") > MOST_PRESSURE, "more than the pumps of a rig are rated for"),
+        ("top_drive_speed", largest("top_drive_speed") > MOST_SPEED, "faster than top drives turn"),
+        ("torque", largest("torque") > MOST_TORQUE, "more than top drives have"),
         ("stand_pipe_pressure", largest("stand_pipe_pressure") < LEAST_PRESSURE and largest("flow") > LEAST_FLOW, "while the pump runs")) if so]
 
 

@@ -7,7 +7,8 @@ import typing
 import numpy
 from drill_rig_sim.field.cells import GROUPED, are_groups, first_decimal_comma, first_of_both_signs, first_of_groups, has_point, is_blank, is_number, with_point
 from drill_rig_sim.field.dates import without_zone
-from drill_rig_sim.field.heading import BLANK, CELL, WIDE, Wanted, are_places, heading_of, holds_data, is_line_of_units, name_in, names_in, split
+from drill_rig_sim.field.heading import BLANK, CELL, COMMENT, WIDE, Wanted, are_places, heading_of, holds_data, is_line_of_units, name_in, names_in, split
+from drill_rig_sim.field.native import of_module
 from drill_rig_sim.field.said import remark_of
 from drill_rig_sim.field.signals import RANKS, SIGNALS, word
 from drill_rig_sim.field.units import is_unit, same_unit
@@ -15,9 +16,8 @@ from drill_rig_sim.refusal import Refusal
 
 BRACKET = re.compile(r"(.*\S)\s*(?:\(([^()]*(?:\([^()]*\)[^()]*)*)\)|\[([^\[\]]*)\]|<([^<>]*)>|\{([^{}]*)\})$")
 WORD = re.compile(r"\S+")  # of a line
-WELLS = set("well wellname wellid wellbore wellborename wellboreid borehole boreholeid uwi api apino apinumber".split())
 FACTOR = re.compile(r"([x\u00d7*])\s*(?:10\s*(?:\^|\*\*)?\s*-?[\d\u2070\u00b9\u00b2\u00b3\u2074-\u2079\u207b]+|1e[+-]?\d|0?\.0*1|10*)(?![\d.])(?:\s+\D+)?$", re.IGNORECASE)  # `x1000`, `*0.1`
-LONGEST_NAME = 200  # with a factor
+LONGEST_NAME, LONGEST_TEXT = 200, 60  # of a name with a factor, of a line in a message
 SIGNED_POWER = r"10\s*(?:\^|\*\*)\s*-?\d+|10[\u2070\u00b9\u00b2\u00b3\u2074-\u2079\u207b]+"
 POWER = re.compile(SIGNED_POWER + r"|10{2,6}")  # alone in brackets: `Hook Load (1000) (lbf)`
 LAST_POWER = re.compile(r"(?<![\w.^*\u00d7])(?:%s)$" % SIGNED_POWER)  # `Hook Load 10^3 (lbf)`; that with an x is a FACTOR
@@ -99,7 +99,7 @@ def read_delimited(file, text, layout=Layout(), wanted=Wanted()):
     check_delimiter(file, heading)
     rows = rows_of(file, lines, heading, len(heading.names))
     units, remarks, table, places = [unit_in(name) for name in names], heading.remarks + remark_of(enumerate(lines[:heading.first], 1)), [], []
-    keep, check_well, before, texts = set(wanted.places(names)), OneWell(file, names).check, None, []
+    keep, well, before, texts = set(wanted.places(names)), OneWell(file, names), None, []
     again = Again(file, [names_in(one, heading.delimiter) for one in lines[heading.first:heading.last + 1]] + [heading.names], wanted)
     for line, cells in rows:
         if table and not holds_data(cells) and again.is_header(line, cells, units):
@@ -115,14 +115,16 @@ def read_delimited(file, text, layout=Layout(), wanted=Wanted()):
             units = [unit_of_both(file, line, *both) for both in zip(names, cells, units)]
             remarks.append("line %d was read as the units of the columns" % line)
         else:
-            check_well(line, cells)
+            well.check(line, cells)
             if heading.delimiter in (BLANK, WIDE):
                 before = below(file, line, lines[line - 1], before, names)
             table.append([cell if place in keep else "" for place, cell in enumerate(cells)])
             places.append(str(line))
     remarks += again.remarks()
     if texts:
-        remarks.append("%d lines of text between the rows or after them are skipped (first: line %d)" % (len(texts), texts[0]))
+        remarks.append("%d lines of text between the rows or after them are skipped (first: line %d: %s)" % (len(texts), texts[0], lines[texts[0] - 1].strip()[:LONGEST_TEXT]))
+    beside = set(texts)
+    well.check_texts([(k, line) for k, line in enumerate(lines, 1) if k <= heading.first or COMMENT.match(line) or k in beside])
     decimal = layout.decimal or likely_decimal(file, table, places, heading.delimiter, remarks)
     found = Table(file, names, units, numbers_with_points(file, table, places, decimal), places, remarks=remarks)
     found.in_any_order = True
@@ -141,10 +143,10 @@ def check_delimiter(file, heading):
 
 
 class OneWell:
-    """Columns that name the well of a row: it must be the same in all."""
+    """Columns that name the well of a row, and lines that name it: it must be the same in all."""
 
     def __init__(self, file, names):
-        self.file, self.names, self.wells = file, names, {place: None for place, name in enumerate(names) if word(bare(name)) in WELLS}
+        self.file, self.names, self.wells = file, names, {place: None for place, name in enumerate(names) if of_module().names_well(bare(name))}
 
     def check(self, line, cells):
         for place, well in self.wells.items():
@@ -152,6 +154,12 @@ class OneWell:
             if cell and well and cell.lower() != well.lower():
                 raise RecordError("%s:%d: %s is %s, in the rows above %s; needed: one well in a file" % (self.file, line, self.names[place], cell, well))
             self.wells[place] = well or cell
+
+    def check_texts(self, texts):
+        """Of (line number, text) that are no rows, in their order."""
+        other = of_module().other_well("\n".join(text for _, text in texts))
+        if other:
+            raise RecordError("%s:%d: is of %s, the lines above of %s; needed: one well in a file" % (self.file, texts[other[0] - 1][0], *other[1:]))
 
 
 def below(file, line, text, before, names):

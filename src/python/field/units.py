@@ -5,7 +5,7 @@ import math
 import re
 
 from drill_rig_sim.field.cells import is_number, with_point
-from drill_rig_sim.refusal import Refusal
+from drill_rig_sim.field.native import of_module
 
 QUANTITIES = ("length", "speed", "force", "torque", "pressure", "angular speed", "flow", "time")  # of signals
 DATE = "date"  # the cells are dates with a time of the day, not numbers
@@ -30,11 +30,7 @@ class UnitError(Exception):
 @functools.lru_cache(maxsize=None)
 def found(quantity, text):
     """(SI units in one of `text` or None, why there are none)."""
-    try:
-        from drill_rig_sim import _sim  # pylint: disable=import-outside-toplevel
-    except ImportError as error:
-        raise Refusal("records are read by the Python module sim, which is not built (it needs pybind11-dev): %s" % error)
-    return _sim.find_unit(quantity, text)
+    return of_module().find_unit(quantity, text)
 
 
 def factor_of(quantity, text):
