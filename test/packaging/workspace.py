@@ -19,7 +19,8 @@ SPACES = {'catkin_make': ('devel', 'install'), 'catkin_make_isolated': ('devel_i
 FEWER = '-DDRILL_RIG_SIM_RUNNER=OFF -DDRILL_RIG_SIM_RVIZ=OFF -DDRILL_RIG_SIM_HIGHWAY=OFF -DDRILL_RIG_SIM_KNOBS=OFF'
 LARGEST = 40.0  # installed and stripped [MB]
 ENVIRONMENT = {'CCACHE_BASEDIR': WORKSPACE, 'CCACHE_NOHASHDIR': '1', 'CCACHE_SLOPPINESS': 'pch_defines,time_macros,include_file_mtime,include_file_ctime',
-               'CMAKE_CXX_COMPILER_LAUNCHER': 'ccache', 'CMAKE_C_COMPILER_LAUNCHER': 'ccache', 'ROS_HOSTNAME': 'localhost'}
+               'CMAKE_CXX_COMPILER_LAUNCHER': 'ccache', 'CMAKE_C_COMPILER_LAUNCHER': 'ccache', 'ROS_HOSTNAME': 'localhost',
+               'CMAKE_POLICY_VERSION_MINIMUM': '3.5'}  # CMake 4 of sid refuses the toplevel.cmake of its own catkin
 
 
 class Skipped(Exception):
