@@ -57,6 +57,7 @@ TEST(SurveyNames, OfOtherMakers)
     expect_station(table.stations[1], 500.0, 5.5, 120.25);
     EXPECT_TRUE(table.remarks.empty()) << names << table.remarks.front();
   }
+  expect_station(read("MD (m);Inc (deg);Azi (deg);Dir;Zenith\n0;0;0;1;1\n500;5.5;120.25;2;2\n").stations[1], 500.0, 5.5, 120.25);
   for (const char* name : {"AziGN (deg)", "AzimG (deg)", "AZI_G (deg)"})
     EXPECT_TRUE(holds(remark_of(read(std::string("MD (m);Inc (deg);") + name + "\n" + rows)), "refer to grid north")) << name;
   EXPECT_EQ("\"Driller's Depth (m)\" is read as measured depth",
