@@ -168,6 +168,15 @@ TEST(SurveyTitles, TheAnswerOfAServer)
   expect_station(found.stations[1], 304.8, 5.5, 40.0);
 }
 
+TEST(SurveyTitles, AnotherHeaderBetweenTheRowsIsRefused)
+{
+  const std::string table = "MD (m),Inc (deg),Azi (deg)\n0,0,0\n500,5.5,120.25\n";
+  for (const char* head : {"MD (ft),Inc (deg),Azi (deg)\n", "MD (m),Azi (deg),Inc (deg)\n"})
+    EXPECT_TRUE(
+        holds(refusal(table + head + "2000,5,120\n"),
+              ":4: names the columns anew with other names or units than line 1, needed: one header, or a file for each part"));
+}
+
 // A page's head that names the design again is no other path.
 TEST(SurveyTitles, TheHeadOfAPageMayNameThePathAgain)
 {
