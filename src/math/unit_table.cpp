@@ -45,7 +45,7 @@ std::vector<UnitFamily> first_families()
   {"a time", {
     {"s", 1.0L, "sec secs second seconds second(s) sek sekunde sekunden secondes segundo segundos"},
         {"ms", 1e-3L, "msec millisecond milliseconds millisekunden millisecondes milisegundos"},
-        {"min", minute, "mins minute minutes minute(s) minuten minutos"},
+        {"min", minute, "mins minute minutes minute(s) minuten minutos mn"},
     {"h", hour, "hr hrs hour hours hour(s) stunden heures horas ch chas"}, {"d", day, "day days"}, {"us", 1e-6L, "usec", rare}}},
   {"an angle", {
     {"rad", 1.0L, "rads radian radians"},
@@ -122,7 +122,7 @@ std::vector<UnitFamily> further_families()
     {"kft/h", 1e3L * foot / hour, "", rare}, {"in/s", inch, "", rare}, {"in/min", inch / minute, "", rare}}},
   {"an angular speed", {
     {"rad/s", 1.0L, "rad/sec"}, {"rpm", rev_per_minute, "rev/min c/min r/min 1/min revs/min /min min.1 rev.min.1 r.p.m rpms "
-        "u/min umdr/min tr/min trs/min tours/min giri/min ob/min obr/min omdr/min vueltas/min"},
+        "u/min umdr/min tr/min tr/mn trs/min tours/min giri/min ob/min obr/min omdr/min vueltas/min"},
         {"deg/s", deg, "dega/s"}, {"rev/s", turn, "c/s rps hz"},
     {"rev/h", turn / hour, "c/h", rare}, {"deg/min", deg / minute, "dega/min", rare}, {"deg/h", deg / hour, "dega/h", rare}}},
   {"an angular acceleration", {{"rad/s2", 1.0L}, {"rpm/s", rev_per_minute}, {"deg/s2", deg}}},
@@ -130,7 +130,7 @@ std::vector<UnitFamily> further_families()
   {"a flow", {
     {"m3/s", 1.0L}, {"m3/min", 1.0L / minute, "m3pm kl/min 1000.l/min"}, {"m3/h", 1.0L / hour, "m3/hr m3/ch"},
         {"L/s", litre, "lps l/sec ltr/s dm3/s l/sek"},
-    {"L/min", litre / minute, "lpm ltr/min lt/min liter/min liters/min litre/min litres/min l/minute dm3/min"},
+    {"L/min", litre / minute, "lpm ltr/min lt/min liter/min liters/min litre/min litres/min l/minute l/mn dm3/min"},
     // a gallon of the oilfield is that of the USA
     {"gpm", gallon / minute, "galus/min galus/minute gal/min gals/min gal(us)/min us.gal/min usgal/min usg/min usgpm us.gpm "
         "gpm(us)"},

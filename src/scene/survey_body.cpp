@@ -56,7 +56,13 @@ class Body
 public:
   Body(const std::vector<CsvLine>& lines, const CsvTable& table, const SurveyFormat& format, SurveyRows& survey,
        Problems& problems)
-      : lines_(lines), table_(table), survey_(survey), problems_(problems), named_(table.header.cells.size()), wells_(named_)
+      : lines_(lines),
+        table_(table),
+        format_(format),
+        survey_(survey),
+        problems_(problems),
+        named_(table.header.cells.size()),
+        wells_(named_)
   {
     while (named_ > 0 && table.header.cells[named_ - 1].text.empty()) --named_;
     for (std::size_t i = 0; i < table.header.cells.size(); ++i)
@@ -180,6 +186,7 @@ private:
                                   std::to_string(cells.size() > columns ? columns : named_) + ", allowed: the same number" +
                                   hint);
     }
+    check_names(line, cells);
     check_places(line);
     check_well(line, cells);
     SurveyRow row;
@@ -188,6 +195,15 @@ private:
     for (const std::size_t place : marks_) row.marks.push_back(place < cells.size() ? cells[place] : "");
     survey_.rows.push_back(std::move(row));
     before_ = &line;
+  }
+
+  // another header between the rows begins another table
+  void check_names(const CsvLine& line, const Cells& cells)
+  {
+    if (may_be_station(line) || find_columns(cells, format_).found < needed_quantities) return;
+    problems_.add_at(line.number, "",
+                     "names the columns anew with other names or units than line " + std::to_string(table_.line) +
+                         ", needed: one header, or a file for each part");
   }
 
   // an empty cell of aligned columns is seen by the place of those after it
@@ -224,6 +240,7 @@ private:
 
   const std::vector<CsvLine>& lines_;
   const CsvTable& table_;
+  const SurveyFormat& format_;
   SurveyRows& survey_;
   Problems& problems_;
   std::size_t named_;                // cells of the header up to the last name

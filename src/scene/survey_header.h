@@ -21,7 +21,7 @@ struct HeaderCell
   std::string text;
   std::optional<std::size_t> quantity;                   ///< of SurveyQuantity
   bool own = false;                                      ///< one of this package's own names (md_m)
-  bool weak = false;                                     ///< "Depth": measured depth only where no other column is
+  bool weak = false;                                     ///< "Depth", "Dir": only where no other column is
   const UnitName* unit = nullptr;                        ///< nullptr: it names none
   std::string unit_in_brackets;                          ///< as it is written, "" without one
   std::string north;                                     ///< "true", "grid" or "magnetic" of an azimuth with such a name

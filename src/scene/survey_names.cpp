@@ -27,12 +27,13 @@ void add_english(Names& all)
   add(all, survey_md, "depth dept drillersdepth drillerdepth loggersdepth loggerdepth", true);
   add(all, survey_inclination,
       "inc incl incn incln inclin inclination incangle inclangle inclinationangle holeinclination holeinc "
-      "holeincl holeangle holedev hdev drift driftangle devi deviation deviationangle devangle zenith "
-      "zenithangle surveyinc surveyinclination svyinc");
+      "holeincl holeangle drift driftangle devi deviation deviationangle");
   add(all, survey_azimuth,
       "azi az azm azim azmth azimth azimuth azimuthangle aziazimuth azimuthazi correctedazimuth "
       "azimuthcorrected driftazimuth driftdirection aziangle holeazimuth holeazi holeaz holedirection "
-      "holedir hazi hdir direction dir bearing haz surveyazi surveyazimuth svyazi");
+      "hazi direction haz");
+  add(all, survey_inclination, "holedev hdev devangle zenith zenithangle surveyinc surveyinclination svyinc", true);
+  add(all, survey_azimuth, "holedir hdir dir bearing surveyazi surveyazimuth svyazi", true);
   add(all, survey_north, "north ns northsouth northing localnorth localnorthing northoffset nsoffset dispns");
   add(all, survey_east, "east ew eastwest easting localeast localeasting eastoffset ewoffset dispew");
   add(all, survey_tvd, "tvd tvdepth truevertical trueverticaldepth tvdtrueverticaldepth verticaldepth vertdepth vertdep");
@@ -49,7 +50,8 @@ void add_germanic(Names& all)
   add(all, survey_inclination,
       "neigung neigungswinkel bohrlochneigung inklination inklinationswinkel inclinatie inklinasjon helning "
       "helningsvinkel haeldning");
-  add(all, survey_azimuth, "azimutwinkel azimuthwinkel bohrlochazimut richtung richting asimut retning");
+  add(all, survey_azimuth, "azimutwinkel azimuthwinkel bohrlochazimut asimut");
+  add(all, survey_azimuth, "richtung richting retning", true);
   add(all, survey_north, "nord noord nordsud nordsued");
   add(all, survey_east, "ost oost ostwest");
   add(all, survey_tvd,
@@ -68,7 +70,8 @@ void add_romance(Names& all)
   add(all, survey_inclination,
       "inclinaison angledinclinaison inclinacion angulodeinclinacion inclinacao angulodeinclinacao "
       "inclinazione angolodiinclinazione");
-  add(all, survey_azimuth, "azimut azimute azimutal rumbo direccion direcao direzione");
+  add(all, survey_azimuth, "azimut azimute azimutal");
+  add(all, survey_azimuth, "rumbo direccion direcao direzione", true);
   add(all, survey_north, "norte nordsud");
   add(all, survey_east, "est este leste estouest esteoeste");
   add(all, survey_tvd,

@@ -12,7 +12,7 @@ namespace drill_rig_sim
 struct SurveyName
 {
   std::size_t quantity;  ///< of SurveyQuantity
-  bool weak = false;     ///< "Depth": measured depth only where no other column is
+  bool weak = false;     ///< "Depth", "Dir": only where no other column is
 };
 
 /// The usual names of a survey's columns in English, German, French, Spanish, Portuguese, Italian, Dutch, Norwegian, Danish,

@@ -82,6 +82,28 @@ class Units(Folder):
         self.reported(["hole_depth: it grows while the bit is usually 6843 m above the bottom"], hole_depth=1.0 / FEET)
 
 
+class Titles(Folder):
+    def test_units_of_a_title(self):
+        """Taken where the names have none; a map goes before it."""
+        lines = "".join("%g,%g,%g,%g\n" % (5 * k, 200.0 + k, 60.0 - k, 3000.0 + k) for k in range(4))
+        record = self.read("Rig 7, depths and heights in feet, hook load in klbs\nTime (s),Hook Load,Block Height,Bit Depth\n" + lines)
+        numpy.testing.assert_allclose(record.signals["hook_load"], [1e3 * LBF * (200.0 + k) for k in range(4)])
+        numpy.testing.assert_allclose(record.signals["bit_depth"], [FEET * (3000.0 + k) for k in range(4)])
+        self.assertIn("hook_load: Hook Load has no unit and is read in klbs, as line 1 says", "\n".join(record.remarks))
+        record = self.read("# Hook load units: klbs\nTime (s),Hook Load,Block Height (m)\n0,90,20\n5,91,19\n", "time: {column: Time, unit: s}\nhook_load: {column: Hook Load, unit: tf}\n")
+        numpy.testing.assert_allclose(record.signals["hook_load"], [9806.65 * 90.0, 9806.65 * 91.0])
+
+    def test_a_title_with_another_unit(self):
+        """Feet of a title over metres of the names; the same unit, another signal and a sentence are none."""
+        lines = "\nTime (s),Hook Load (kN),Block Height (m),Bit Depth (m)\n0,900,20,1000\n5,901,19,1001\n"
+        for title, said in (("Depths in feet", "bit_depth: line 1 says feet, Bit Depth (m) is in m: it is read so (1 is 1 m); is that right?"), ("Hook load: klbf", "hook_load: line 1 says klbf"),
+                            ("Depths in metres", None), ("Hole depth in feet", None), ("Hook load in the slips", None), ("Casing pressure in psi", None)):
+            with self.subTest(title):
+                found = "\n".join(self.read(title + lines).remarks)
+                self.assertEqual(said is not None, "is that right?" in found, found)
+                self.assertIn(said or "", found)
+
+
 class Limits(unittest.TestCase):
     def test_of_a_string(self):
         from drill_rig_sim.field.contradictions import load_at

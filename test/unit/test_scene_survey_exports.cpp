@@ -249,7 +249,7 @@ TEST(SceneSurvey, ExportsThatAreRefused)
       {"another table below", "MD (m),Inc (deg),Azi (deg)\n0,0,0\n500,10,45\n\nTarget,MD (m),Inc (deg)\nT1,400,3\n",
        ":5: MD (m): must be a finite number (got text)"},
       {"the header in another unit", "MD (m),Inc (deg),Azi (deg)\n0,0,0\n500,10,45\nMD (ft),Inc (deg),Azi (deg)\n2000,10,45\n",
-       ":4: MD (m): must be a finite number (got text)"},
+       ":4: names the columns anew with other names or units than line 1"},
       {"the units again, others", "MD,Inc,Azi\nm,deg,deg\n0,0,0\n500,10,45\nMD,Inc,Azi\nft,deg,deg\n2000,10,45\n",
        ":6: MD: must be a finite number (got text)"},
       {"two wells", "Well,MD (m),Inc (deg),Azi (deg)\nA,0,0,0\na,500,10,45\n,550,10,45\nB,600,10,45\n",

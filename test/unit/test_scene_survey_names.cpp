@@ -57,6 +57,7 @@ TEST(SurveyNames, OfOtherMakers)
     expect_station(table.stations[1], 500.0, 5.5, 120.25);
     EXPECT_TRUE(table.remarks.empty()) << names << table.remarks.front();
   }
+  expect_station(read("MD (m);Inc (deg);Azi (deg);Dir;Zenith\n0;0;0;1;1\n500;5.5;120.25;2;2\n").stations[1], 500.0, 5.5, 120.25);
   for (const char* name : {"AziGN (deg)", "AzimG (deg)", "AZI_G (deg)"})
     EXPECT_TRUE(holds(remark_of(read(std::string("MD (m);Inc (deg);") + name + "\n" + rows)), "refer to grid north")) << name;
   EXPECT_EQ("\"Driller's Depth (m)\" is read as measured depth",
@@ -165,6 +166,15 @@ TEST(SurveyTitles, TheAnswerOfAServer)
       at("0") + at("1000") + "&lt;/trajectory&gt;&lt;/trajectorys&gt;</XMLout></r></s:Body></s:Envelope>\n");
   ASSERT_EQ(2u, found.stations.size());
   expect_station(found.stations[1], 304.8, 5.5, 40.0);
+}
+
+TEST(SurveyTitles, AnotherHeaderBetweenTheRowsIsRefused)
+{
+  const std::string table = "MD (m),Inc (deg),Azi (deg)\n0,0,0\n500,5.5,120.25\n";
+  for (const char* head : {"MD (ft),Inc (deg),Azi (deg)\n", "MD (m),Azi (deg),Inc (deg)\n"})
+    EXPECT_TRUE(
+        holds(refusal(table + head + "2000,5,120\n"),
+              ":4: names the columns anew with other names or units than line 1, needed: one header, or a file for each part"));
 }
 
 // A page's head that names the design again is no other path.

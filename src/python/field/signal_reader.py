@@ -8,6 +8,7 @@ from drill_rig_sim.field.dates import elapsed_of, fitting, form_in, forms_for, j
 from drill_rig_sim.field.quality import take_flags
 from drill_rig_sim.field.signals import SIGNALS, si_unit, word
 from drill_rig_sim.field.table import RecordError
+from drill_rig_sim.field.title_units import take_title_units
 from drill_rig_sim.field.units import UnitError, factor_of, is_unit, power_in
 
 NULLS = (-999.0, -999.25, -9999.0, -9999.25, -99999.0, -99999.25, -999999.0, -999999.25)  # as logs write "no number"
@@ -37,6 +38,7 @@ def part_of(table, columns=None):
     take_units(table)
     remarks = list(table.remarks)
     mapped, nulls = (columns.columns, columns.nulls) if columns else ({}, ())
+    take_title_units(table, mapped, remarks)
     wanted = columns_of(table, mapped, remarks)
     if "time" not in wanted:
         raise RecordError("%s: no column is recognised as the time; columns: %s; needed: a map, --columns" % (table.file, table.header()))

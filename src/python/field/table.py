@@ -33,11 +33,12 @@ class Table:
     """`names` and `units` (None where the file does not say) by column; `rows`: lists of texts, all as long as `names`; `place(k)`: where row k stands, as
     FILE:LINE or FILE: row N. `nulls`: values that stand for no number, by column. `index`: place of the column that the file calls its index, or None, and
     `index_is_date`, None where the file does not say. `remarks`: what was noticed, without the file's name. `unit_cells`: of columns whose cells hold their unit, the
-    first such cell. `well`: names of well and wellbore, "" where the file does not say. `in_any_order`: the file does not say that its rows are in the order of time."""
+    first such cell. `well`: names of well and wellbore, "" where the file does not say. `in_any_order`: the file does not say that its rows are in the order of time. `title`:
+    (line number, text) above the names."""
 
     def __init__(self, file, names, units, rows, places, nulls=None, index=None, index_is_date=None, remarks=()):
         self.file, self.names, self.units, self.rows, self.places = file, names, units, rows, places
-        self.unit_cells, self.well, self.in_any_order = {}, ("", ""), False
+        self.unit_cells, self.well, self.in_any_order, self.title = {}, ("", ""), False, []
         self.nulls = nulls or [()] * len(names)
         self.index, self.index_is_date, self.remarks = index, index_is_date, list(remarks)
 
@@ -127,7 +128,7 @@ def read_delimited(file, text, layout=Layout(), wanted=Wanted()):
     well.check_texts([(k, line) for k, line in enumerate(lines, 1) if k <= heading.first or COMMENT.match(line) or k in beside])
     decimal = layout.decimal or likely_decimal(file, table, places, heading.delimiter, remarks)
     found = Table(file, names, units, numbers_with_points(file, table, places, decimal), places, remarks=remarks)
-    found.in_any_order = True
+    found.in_any_order, found.title = True, list(enumerate(lines[:heading.first], 1))
     return found
 
 
