@@ -68,8 +68,11 @@ double WeightFeed::velocity(double weight, double wanted, double stiffness, doub
   return -down;
 }
 
-void PressureTrend::follow(double pressure, double duration) noexcept
+void PressureTrend::take(double pressure, double time) noexcept
 {
+  if (!is_set(at)) fast_mean = slow_mean = pressure;
+  const double duration = is_set(at) ? time - at : 0.0;
+  at = time;
   fast_mean += duration / (fast + duration) * (pressure - fast_mean);
   slow_mean += duration / (slow + duration) * (pressure - slow_mean);
 }
@@ -93,6 +96,7 @@ void OperationsPlayer::rewind() noexcept
 {
   next_ = 0;
   trouble_ = OperationTrouble::none;
+  pressure_ = PressureTrend();
   std::fill(began_.begin(), began_.end(), Operation::unset);
 }
 
@@ -111,6 +115,7 @@ OperationStatus OperationsPlayer::status() const noexcept
 void OperationsPlayer::apply(RigControls& rig) noexcept
 {
   if (trouble_ != OperationTrouble::none) return;  // what is to be done now is the driller's decision
+  pressure_.take(rig.readings().stand_pipe_pressure, rig.readings().time);
   if (rig.truth().crew != CrewTask::none)
   {
     feed_ = WeightFeed();  // the crew has the rig, and zeroes the weight
@@ -184,9 +189,8 @@ void OperationsPlayer::begin(RigControls& rig) noexcept
 void OperationsPlayer::begin_tag(RigControls& rig, bool zeroed) noexcept
 {
   const Readings& now = rig.readings();
-  pressure_.begin(now.stand_pipe_pressure);
-  pressure_at_ = now.time;
-  lifts_ = zeroed && rig.scene().rig.heave.amplitude == 0.0 && now.hole_depth - now.bit_depth < tags_from;
+  may_lift_ = zeroed && rig.scene().rig.heave.amplitude == 0.0;
+  lifts_ = may_lift_ && now.hole_depth - now.bit_depth < tags_from;
   lift_to_ = now.block_height + tags_from - (now.hole_depth - now.bit_depth);
   if (!zeroed && !now.tared) trouble_ = OperationTrouble::tag_on_bottom;
 }
@@ -234,6 +238,7 @@ void OperationsPlayer::follow_weight(RigControls& rig) noexcept
   const Readings& now = rig.readings();
   const double duration = now.time - followed_at_;
   followed_at_ = now.time;
+  if (!approach_.begun && zeroes_ && waits_for_pressure(now)) return static_cast<void>(rig.tare());
   if (!approach_.begun) approach_.begin(now, string_, o.weight, o.speed, zeroes_, rig.scene().rig.heave.amplitude > 0.0);
   if (approach_.goes_on(now, duration))
   {
@@ -262,20 +267,35 @@ void OperationsPlayer::follow_strokes(RigControls& rig) noexcept
 
 void OperationsPlayer::follow_tag(RigControls& rig) noexcept
 {
+  const Operation& o = operations_[next_];
   const Readings& now = rig.readings();
   if (lifts_)
   {
     if (now.block_height + rise(now) < lift_to_ && !now.stop_reached) return;
-    lifts_ = false;
+    lift_to_ -= tags_from;  // the block swings where it stands
+    lifts_ = waits_for_pressure(now);
     followed_at_ = now.time;
-    rig.command(WinchSetpoint{-operations_[next_].speed, false});
+    rig.command(WinchSetpoint{lifts_ ? 0.0 : -o.speed, false});
+    if (lifts_) return static_cast<void>(rig.tare());
   }
   if (settled_) return;
-  pressure_.follow(now.stand_pipe_pressure, now.time - pressure_at_);
-  pressure_at_ = now.time;
   rig.tare();  // refused on bottom: a bit that comes there early keeps the last zero of the moving string
-  const double settles = followed_at_ + tag_settles_ - time_rounding;
-  settled_ = now.time >= settles && (pressure_.is_steady() || now.time >= settles + pressure_settles);
+  lifts_ = comes_too_early(now);
+  lift_to_ = now.block_height + tags_from;
+  if (lifts_) rig.command(WinchSetpoint{o.speed, false});
+  settled_ = now.time >= followed_at_ + tag_settles_ - time_rounding && !waits_for_pressure(now);
+}
+
+/// The hook load follows the pressure of the mud: while that changes, so does the zero of the weight.
+bool OperationsPlayer::waits_for_pressure(const Readings& now) const noexcept
+{
+  return !pressure_.is_steady() && now.time < began_[next_] + tag_settles_ + pressure_settles - time_rounding;
+}
+
+/// A tag that has come to bottom by the depth, while the zero still changes.
+bool OperationsPlayer::comes_too_early(const Readings& now) const noexcept
+{
+  return may_lift_ && !settled_ && now.bit_depth >= now.hole_depth && waits_for_pressure(now);
 }
 
 /// How far the bit still goes: to a trip's depth; without one as far as the hole [m].
@@ -348,7 +368,8 @@ double OperationsPlayer::progress(const RigControls& rig) const noexcept
   if (is_set(o.time))
     nearest = std::max(nearest, o.time > 0.0 ? share(now.time + time_rounding, began_[next_], began_[next_] + o.time) : 1.0);
   if (is_set(o.overpull)) nearest = std::max(nearest, share(now.hook_load, began_load_, began_load_ + o.overpull));
-  const bool on_its_way = o.kind == OperationKind::tag && (lifts_ || (!settled_ && now.bit_depth < now.hole_depth));
+  const bool on_its_way =
+      o.kind == OperationKind::tag && (lifts_ || comes_too_early(now) || (!settled_ && now.bit_depth < now.hole_depth));
   const bool by_weight = o.kind == OperationKind::slack_off || (o.kind == OperationKind::tag && !on_its_way);
   if (by_weight && is_set(o.weight)) nearest = std::max(nearest, share(now.mean_surface_wob, 0.0, o.weight));
   return nearest;

@@ -185,10 +185,8 @@ TEST(PressureTrend, isSteadyWhenLittleIsStillToCome)
 {
   constexpr double dt = 0.01, slow = 20.0, top = 15e6;
   PressureTrend trend;
-  trend.begin(0.0);
-  trend.follow(1e6, dt);
-  double t = dt;
-  for (; t < 300.0 && (t < 1.0 || !trend.is_steady()); t += dt) trend.follow(top * -std::expm1(-t / slow), dt);
+  double t = 0.0;
+  for (; t < 300.0 && (t < 1.0 || !trend.is_steady()); t += dt) trend.take(top * -std::expm1(-t / slow), t);
   EXPECT_GT(t, 20.0);
   EXPECT_LT(t, 120.0);
   EXPECT_LT(std::exp(-t / slow), 0.1);
@@ -197,8 +195,8 @@ TEST(PressureTrend, isSteadyWhenLittleIsStillToCome)
 TEST(PressureTrend, ofAPumpThatStands)
 {
   PressureTrend trend;
-  trend.begin(0.0);
-  trend.follow(0.0, 0.01);
+  trend.take(0.0, 0.0);
+  trend.take(0.0, 0.01);
   EXPECT_TRUE(trend.is_steady());
 }
 }  // namespace test_sim_operation_trouble

@@ -217,6 +217,25 @@ TEST(Operations, tagLiftsTheBitThatHangsTooNearTheBottom)
   EXPECT_NEAR(rig.readings().surface_wob, rig.truth().wob, 2.5e3) << "rail friction turned back";
 }
 
+// The pumped mud lifts the string, by 16 kN here; its pressure takes half a minute to come.
+TEST(Operations, theWeightIsZeroedAtASteadyPressure)
+{
+  for (const double above : {0.03, 0.3})
+    for (const Operation& first : {operation(OperationKind::tag), drill(0.1)})
+    {
+      Scene scene = vertical_scene(1000.0, 1000.0 - above, 0.25);
+      scene.string = drilling_scene().string;
+      scene.numerics.level = Level::axial_torsional;
+      scene.operations = {rotate(60.0 * rpm, 1.0), flow(0.04), first, drill(0.1)};
+      scene.instruments.hook_load.place = HookLoadPlace::block;
+      Simulator rig(scene);
+      ScenePlayer player(rig.scene());
+      play_up_to(4, rig, player);
+      play_up_to(0, rig, player);
+      EXPECT_NEAR(rig.readings().surface_wob, rig.truth().wob, 2.5e3) << above << " m, " << word_of(first.kind);
+    }
+}
+
 TEST(Operations, tagOnBottomNeedsAZero)
 {
   Scene scene = scene_with({operation(OperationKind::tag)}, 0.0);

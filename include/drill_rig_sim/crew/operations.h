@@ -60,13 +60,14 @@ struct WeightFeed
 /// Whether the stand-pipe pressure has come to rest: two first-order lags of it, one twice as slow as the other, agree.
 struct PressureTrend
 {
-  static constexpr double fast = 2.5, slow = 5.0;  ///< time constants [s]
-  static constexpr double share = 0.01,
+  static constexpr double fast = 1.0, slow = 2.0;  ///< time constants [s]
+  static constexpr double share = 0.004,
                           resolution = 2e4;  ///< they agree within the larger of this share and this pressure [-], [Pa]
   double fast_mean = 0.0, slow_mean = 0.0;   ///< [Pa]
+  double at = Operation::unset;              ///< when the last was taken [s]
 
-  void begin(double pressure) noexcept { fast_mean = slow_mean = pressure; }
-  void follow(double pressure, double duration) noexcept;
+  /// A reading [Pa] at a time [s]; of the first one nothing is known of before.
+  void take(double pressure, double time) noexcept;
   bool is_steady() const noexcept;
 
   template <class V>
@@ -74,6 +75,7 @@ struct PressureTrend
   {
     v("fast_mean", fast_mean);
     v("slow_mean", slow_mean);
+    v("at", at);
   }
 };
 
@@ -87,11 +89,12 @@ struct PressureTrend
 /// steadily, after tag_settles (and a
 ///   period of the waves, where the rig heaves) and when the stand-pipe pressure is steady (or after pressure_settles), or the
 ///   bit is on bottom, and counts weight from then on. Begun off bottom, but less than 5 cm, it lifts the block first: over the
-///   first 2 cm of its way down the friction of sheaves and rail turns round. slack_off with a `weight` zeroes it at its
+///   first 2 cm of its way down the friction of sheaves and rail turns round. A bit that comes to bottom before the pressure is
+///   steady is lifted by 5 cm and waits there. slack_off with a `weight` zeroes it at its
 ///   beginning.
 /// - drill brings the bit to bottom (BottomApproach), keeps `weight` by the block (WeightFeed), and ends with the brake set.
 /// Without a zero of the weight it
-///   zeroes all the way down.
+///   waits for a steady pressure and zeroes all the way down.
 /// - slide does the same with the drive holding an angle (or rocking about it), which it turns by what the toolface lacks
 /// whenever a toolface has
 ///   come that was measured toolface_settles after the last turn.
@@ -141,6 +144,7 @@ public:
     v("legs", legs_);
     v("crew_came", crew_came_);
     v("settled", settled_);
+    v("may_lift", may_lift_);
     v("lifts", lifts_);
     v("lift_to", lift_to_);
     v("angle", angle_);
@@ -150,7 +154,6 @@ public:
     v("watch", watch_);
     v("trouble", trouble_);
     v("pressure", pressure_);
-    v("pressure_at", pressure_at_);
   }
 
 private:
@@ -163,6 +166,8 @@ private:
   void follow_weight(RigControls& rig) noexcept;
   void follow_strokes(RigControls& rig) noexcept;
   void follow_tag(RigControls& rig) noexcept;
+  bool waits_for_pressure(const Readings& now) const noexcept;
+  bool comes_too_early(const Readings& now) const noexcept;
   void follow_trip(RigControls& rig) noexcept;
   void follow_toolface(RigControls& rig) noexcept;
   void end(RigControls& rig) const noexcept;
@@ -181,7 +186,6 @@ private:
          began_load_ = 0.0;  // of the one under way: bit depth, hole depth, block height, hook load
   Ramp ramp_;
   PressureTrend pressure_;
-  double pressure_at_ = 0.0;  // when that was followed last [s]
   OperationTroubleWatch watch_;
   OperationTrouble trouble_ = OperationTrouble::none;
   BottomApproach approach_;
@@ -191,7 +195,8 @@ private:
   int legs_ = 0;              // of ream, that are over
   bool crew_came_ = false;    // has been at work since it began
   bool settled_ = false;      // tag moves steadily
-  bool lifts_ = false;        // tag begins too near the bottom, and lifts the block first,
+  bool may_lift_ = false;     // tag has begun off bottom, on a rig that does not heave
+  bool lifts_ = false;        // tag is too near the bottom, and lifts the block first,
   double lift_to_ = 0.0;      // to this height [m]
   double angle_ = 0.0;        // of the drive that slide has asked for [rad]
   double turned_at_ = 0.0;    // when it did [s]
