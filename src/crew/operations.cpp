@@ -68,20 +68,6 @@ double WeightFeed::velocity(double weight, double wanted, double stiffness, doub
   return -down;
 }
 
-void PressureTrend::take(double pressure, double time) noexcept
-{
-  if (!is_set(at)) fast_mean = slow_mean = pressure;
-  const double duration = is_set(at) ? time - at : 0.0;
-  at = time;
-  fast_mean += duration / (fast + duration) * (pressure - fast_mean);
-  slow_mean += duration / (slow + duration) * (pressure - slow_mean);
-}
-
-bool PressureTrend::is_steady() const noexcept
-{
-  return std::abs(fast_mean - slow_mean) <= std::max(share * std::abs(slow_mean), resolution);
-}
-
 OperationsPlayer::OperationsPlayer(const Scene& scene)
     : operations_(scene.operations),
       acceleration_(scene.rig.hoisting.max_acceleration),

@@ -14,6 +14,7 @@ namespace
 {
 constexpr double lifting_speed = 0.2;    // [m/s]
 constexpr double lowering_speed = 0.1;   // [m/s]
+constexpr double zeroing_speed = 0.02;   // the same where the weight is zeroed [m/s]
 constexpr double slacking_speed = 0.01;  // [m/s]
 constexpr double slowest = 5e-4;         // of it when the slips carry hardly anything [m/s]
 constexpr double by_load = 5e-7;         // of the block's speed by what the hook carries too much [m/s/N]
@@ -54,12 +55,14 @@ void CrewWork::attend(double duration) noexcept
   const bool at_rest = crew_.doing >= CrewTask::quieting && crew_.doing < CrewTask::restarting;
   by_crew.top_drive = at_rest ? TopDriveSetpoint() : rig_.commands.asked().top_drive;
   by_crew.pump = at_rest ? PumpSetpoint() : rig_.commands.asked().pump;
-  const bool zeroes = crew_.doing == CrewTask::lowering && rig_.state.tared && !crew_.zeroed;
-  if (zeroes && height <= crew_.stopped_at + tares_at + lift_over_waves(rig_.scene.rig.heave))
-  {
-    crew_.zeroed = true;
-    actions_.tare();
-  }
+  crew_.pressure.take(rig_.motion.shown_at_ends().hydraulics.stand_pipe_pressure, rig_.motion.shown_at_ends().time);
+  if (crew_.doing == CrewTask::lowering && zeroes_at(height)) actions_.tare();  // and again, until the bit is near the bottom
+}
+
+/// Whether the weight is zeroed on the way down, at a height of the block [m].
+bool CrewWork::zeroes_at(double height) const noexcept
+{
+  return rig_.state.tared && height <= crew_.stopped_at + tares_at + lift_over_waves(rig_.scene.rig.heave);
 }
 
 /// Where the block comes to one of the places from which it goes no further.
@@ -143,7 +146,7 @@ bool CrewWork::has_done(double frame, WinchSetpoint& winch) noexcept
     case CrewTask::restarting:
       return has_restarted();
     default:
-      winch = run(-lowering_speed, spec);
+      winch = run(zeroes_at(height) && rig_.scene.rig.heave.amplitude == 0.0 ? -zeroing_speed : -lowering_speed, spec);
       return height <= crew_.stopped_at + above_bottom || crew_.waited > patience;
   }
 }
@@ -172,7 +175,8 @@ bool CrewWork::has_restarted() const noexcept
   const double speed = asked.top_drive.speed, flow = asked.pump.flow;
   const bool to_speed = !asked.top_drive.brake && keeps_speed(asked.top_drive.mode);
   const bool turns = !to_speed || std::abs(now.drive.speed - speed) <= 0.05 * std::abs(speed) + standing_rotor;
-  return crew_.waited > patience || (turns && std::abs(now.hydraulics.pump_flow - flow) <= 0.01 * flow);
+  const bool is_steady = !rig_.state.tared || crew_.pressure.is_steady();
+  return crew_.waited > patience || (turns && is_steady && std::abs(now.hydraulics.pump_flow - flow) <= 0.01 * flow);
 }
 
 /// To the next task; `height`: of the block [m].

@@ -31,6 +31,7 @@ private:
   bool has_quieted() noexcept;
   bool has_broken_out() noexcept;
   bool has_restarted() const noexcept;
+  bool zeroes_at(double height) const noexcept;
   void go_on(double height) noexcept;
   void do_task(CrewTask task) noexcept;
   WinchSetpoint to_slack(double frame) const noexcept;

@@ -9,6 +9,7 @@
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/sim/simulator.h"
 #include "drill_rig_sim/well/pilot_hole.h"
+#include "drill_rig_sim/well/wellbore.h"
 #include "playing.h"
 #include "test_scenes.h"
 

@@ -2,6 +2,7 @@
 #ifndef DRILL_RIG_SIM_CREW_CREW_H
 #define DRILL_RIG_SIM_CREW_CREW_H
 
+#include "drill_rig_sim/crew/pressure_trend.h"
 #include "drill_rig_sim/instruments/signals.h"
 #include "drill_rig_sim/rig/hoisting.h"
 
@@ -12,10 +13,12 @@ namespace drill_rig_sim
 /// Going down, it begins where the block is at its lowest, or where the uppermost joint's end comes to the rotary table if that
 /// is higher: it stops the block, lifts the bit by stick_up off bottom (and by lift_over_waves() where the rig heaves), brings
 /// drive and pump to rest, sets the slips, slacks off, adds a stand, picks up, pulls the slips, takes drive and pump back to what
-/// is asked of them, and lowers to a little above where the bit was; there it tares, if the rig was tared, on the way down. Going
-/// up, it begins where a stand is above the slips' joint at stick_up, or the block at its highest; it stops, and takes the stand
-/// away without lifting and lowering. Meanwhile its own set points are in force; the last that were asked act again afterwards. A
-/// connection that is refused for a minute fails the next frame, with the reason. What its machine remembers:
+/// is asked of them, and lowers to a little above where the bit was. If the rig was tared, it waits for a steady stand-pipe
+/// pressure before that, and tares on the last half metre: slower there, because pipe that rotates has more drag along the hole
+/// the faster it goes. Going up, it begins where a stand is above the slips' joint at stick_up, or the block at its highest; it
+/// stops, and takes the stand away without lifting and lowering. Meanwhile its own set points are in force; the last that were
+/// asked act again afterwards. A connection that is refused for a minute fails the next frame, with the reason. What its machine
+/// remembers:
 struct CrewState
 {
   CrewTask doing = CrewTask::none;
@@ -23,7 +26,7 @@ struct CrewState
   double stopped_at = 0.0;     ///< height of the block, and what the pipe added since then makes of it [m]
   double broken_out_at = 0.0;  ///< [m]
   double waited = 0.0;         ///< in this task [s]
-  bool zeroed = false;         ///< tared on this way down
+  PressureTrend pressure;      ///< of the stand pipe
   bool called = false;         ///< whatever `connections` says
 
   template <class V>
@@ -34,7 +37,7 @@ struct CrewState
     v("stopped_at", stopped_at);
     v("broken_out_at", broken_out_at);
     v("waited", waited);
-    v("zeroed", zeroed);
+    v("pressure", pressure);
     v("called", called);
   }
 };

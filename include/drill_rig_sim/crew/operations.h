@@ -9,6 +9,7 @@
 #include "drill_rig_sim/crew/bottom_approach.h"
 #include "drill_rig_sim/crew/operation_trouble.h"
 #include "drill_rig_sim/crew/program.h"
+#include "drill_rig_sim/crew/pressure_trend.h"
 #include "drill_rig_sim/scene/scene.h"
 
 namespace drill_rig_sim
@@ -54,28 +55,6 @@ struct WeightFeed
     v("rate", rate);
     v("mean_weight", mean_weight);
     v("begun", begun);
-  }
-};
-
-/// Whether the stand-pipe pressure has come to rest: two first-order lags of it, one twice as slow as the other, agree.
-struct PressureTrend
-{
-  static constexpr double fast = 1.0, slow = 2.0;  ///< time constants [s]
-  static constexpr double share = 0.004,
-                          resolution = 2e4;  ///< they agree within the larger of this share and this pressure [-], [Pa]
-  double fast_mean = 0.0, slow_mean = 0.0;   ///< [Pa]
-  double at = Operation::unset;              ///< when the last was taken [s]
-
-  /// A reading [Pa] at a time [s]; of the first one nothing is known of before.
-  void take(double pressure, double time) noexcept;
-  bool is_steady() const noexcept;
-
-  template <class V>
-  void visit(V& v)
-  {
-    v("fast_mean", fast_mean);
-    v("slow_mean", slow_mean);
-    v("at", at);
   }
 };
 
