@@ -65,7 +65,7 @@ TEST(CrewZero, waitsForTheMudsPressure)
 {
   const Scene scene = with_crew(vertical_scene(4000.0, 3998.0, 0.25));
   Simulator rig(scene);
-  play_until_added(rig, 0.04, 0.05);
+  play_until_added(rig, 0.04, 0.02);
   play_on(rig, 30.0);
   ASSERT_GT(rig.truth().wob, 500.0);
   EXPECT_NEAR(error_of_weight(rig), 0.0, 2.5e3);
