@@ -64,6 +64,7 @@ class Simulator(Lockstep):
     and operations give the set points until a caller does. Time begins at 0 with every reset; snapshots bring back theirs. One thread at a time."""
 
     def __init__(self, scene, rate=100.0, seed=0, play_program=False):
+        require_whole("seed", seed, 0, 9000000000000000)  # as ~seed of a node
         self._rig = _sim.Rig(found(scene, "config/scenes"), rate, seed, play_program)
         self.rate = rate
         self._saved = {}
@@ -184,6 +185,7 @@ class Simulator(Lockstep):
 
     def record(self, seconds, every=1):
         """Steps through `seconds` and keeps each `every`-th frame and the last: a Record."""
+        require_whole("every", every, 1, MOST_FRAMES)
         frames, recorder = self._frames_in(seconds), _sim.Recorder()
         self._hand_over()
         try:
@@ -268,7 +270,10 @@ class Simulator(Lockstep):
     # --- the connection
 
     def _set(self, kind, **fields):
-        self._set_points[kind] = COMMANDS[kind](**fields)
+        try:
+            self._set_points[kind] = COMMANDS[kind](**fields)
+        except TypeError:
+            raise TypeError(why_no_set_point(kind, fields)) from None
 
     def _hand_over(self):
         if self._set_points:
@@ -302,6 +307,24 @@ class Simulator(Lockstep):
 
 def record_of(readings, truth, bit):
     return Record(numpy.round(truth["time"], 9), readings, truth, bit)
+
+
+def require_whole(name, value, least, most):
+    if not isinstance(value, (int, numpy.integer)) or not least <= value <= most:
+        raise Refused("%s is %s; allowed is %d to %d" % (name, value, least, most))
+
+
+def why_no_set_point(kind, fields):
+    """In one line; the module's own text has several."""
+    known = {name: getattr(COMMANDS[kind](), name) for name in dir(COMMANDS[kind]) if not name.startswith("_")}
+    for name, value in fields.items():
+        if name not in known:
+            return "%s: %s is not known; allowed: %s" % (kind, name, ", ".join(known))
+        try:
+            COMMANDS[kind](**{name: value})
+        except TypeError:
+            return "%s: %s is %r; allowed is %s" % (kind, name, value, "true or false" if isinstance(known[name], bool) else "a number")
+    return "%s: needed is a set point" % kind
 
 
 def found(name, folder):

@@ -267,7 +267,8 @@ class InThisProcess(unittest.TestCase):
                 "pipe in the hole": lambda: self.rig.fault("STUCK_PIPE", depth=1e4), "hook_load, dead_line": lambda: self.rig.fault("SENSOR_BIAS", magnitude=1.0),
                 "fault is nonsense": lambda: self.rig.fault("NONSENSE"), "0 .a stand. to 12": lambda: self.rig.connection(13),
                 "there is no state x": lambda: self.rig.restore("x"), "frames is 100001": lambda: self.rig.step(frames=100001),
-                "every is 0": lambda: self.rig.record(0.1, every=0), "nowhere.yaml": lambda: self.rig.reset("/nowhere.yaml"),
+                "every is 0": lambda: self.rig.record(0.1, every=0), "every is -1; allowed is 1 to": lambda: self.rig.record(0.1, every=-1),
+                "seed is -1; allowed is 0 to": lambda: Simulator(STEERABLE, seed=-1), "nowhere.yaml": lambda: self.rig.reset("/nowhere.yaml"),
                 "the same number of each": lambda: self.rig.load_survey(md=[0.0, 1.0], inclination=[0.0], azimuth=[0.0]),
                 "bit_depth is": lambda: self.rig.reset(bit_depth=500.0), "block_velocity": lambda: (self.rig.winch(float("nan")), self.rig.step())}.items():
             with self.assertRaisesRegex(Refused, text):
@@ -282,8 +283,10 @@ class InThisProcess(unittest.TestCase):
         for frames in (-1, 1.5):
             with self.assertRaisesRegex(ValueError, "whole number"):
                 self.rig.step(frames=frames)
-        with self.assertRaises(TypeError):
-            self.rig.top_drive(angel=1.0)
+        for text, call in {"^top_drive: angel is not known; allowed: [a-z_, ]*$": lambda: self.rig.top_drive(angel=1.0),
+                           "^winch: block_velocity is 'up'; allowed is a number$": lambda: self.rig.winch("up")}.items():
+            with self.assertRaisesRegex(TypeError, text):
+                call()
         with self.assertRaises(TimedOut):
             self.rig.step_until(lambda s: False, timeout=0.1)
 
