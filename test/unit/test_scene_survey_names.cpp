@@ -90,11 +90,11 @@ TEST(SurveyNames, AmbiguousUnitsAreRefusedWithTheirChoices)
 TEST(SurveyNames, UnknownOnesAreListed)
 {
   EXPECT_TRUE(holds(refusal("Lengte A;Hoek;Koers\n" + rows),
-                    ":1: md_m, inclination_deg, azimuth_deg: no such column in the header; "
+                    ":1: no line names measured depth, inclination and azimuth; "
                     "it has Lengte A, Hoek, Koers (delimiter ;)"));
-  EXPECT_TRUE(holds(refusal("of well A-1\nA1 B2 C3\nm deg deg\n0 0 0\n500 5.5 120.25\n"), ":2: md_m"));
+  EXPECT_TRUE(holds(refusal("of well A-1\nA1 B2 C3\nm deg deg\n0 0 0\n500 5.5 120.25\n"), ":2: no line names measured depth"));
   const std::string other = refusal("root:x:0:0:secret:/root\nsecret,words,of another,kind\nmore,of,these,5\n");
-  EXPECT_TRUE(holds(other, "no such column in the header; needed")) << other;
+  EXPECT_TRUE(holds(other, "no line names measured depth, inclination and azimuth; needed")) << other;
 }
 
 TEST(SurveyTitles, AUnitOfDepthAboveTheNamesIsTakenAndReported)
