@@ -27,6 +27,7 @@ struct Instance
   std::unique_ptr<FmuRig> rig;
   double start = 0.0;        // [s]
   std::string last_warning;  // that was written to the log
+  bool terminated = false;
 };
 
 void say(const Instance& i, fmi2Status status, const std::string& text)
@@ -194,7 +195,12 @@ FMI_EXPORT fmi2Status fmi2ExitInitializationMode(fmi2Component component)
 
 FMI_EXPORT fmi2Status fmi2Terminate(fmi2Component component)
 {
-  return guarded(component, [](Instance&) { return fmi2OK; });
+  return guarded(component,
+                 [](Instance& i)
+                 {
+                   i.terminated = true;
+                   return fmi2OK;
+                 });
 }
 
 FMI_EXPORT fmi2Status fmi2Reset(fmi2Component component)
@@ -203,6 +209,7 @@ FMI_EXPORT fmi2Status fmi2Reset(fmi2Component component)
                  [](Instance& i)
                  {
                    i.rig->reset();
+                   i.terminated = false;
                    return fmi2OK;
                  });
 }
@@ -258,6 +265,7 @@ FMI_EXPORT fmi2Status fmi2DoStep(fmi2Component component, fmi2Real now, fmi2Real
   return guarded(component,
                  [&](Instance& i)
                  {
+                   if (i.terminated) throw std::runtime_error("fmi2DoStep: the FMU is terminated; needed: fmi2Reset");
                    std::string warning;
                    for (const std::string& line : i.rig->step(now, duration)) warning += (warning.empty() ? "" : "; ") + line;
                    if (!warning.empty() && warning != i.last_warning) say(i, fmi2Warning, warning);

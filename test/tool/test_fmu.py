@@ -181,6 +181,15 @@ class Fmus(unittest.TestCase):
         fmu.begin(play_program=False)
         self.assertEqual(first, fmu.outputs())
 
+    def test_no_step_follows_its_end(self):
+        fmu = self.fmu()
+        self.assertEqual(OK, fmu.call("Terminate"))
+        fmu.step(0.01, ERROR)
+        self.assertEqual("fmi2DoStep: the FMU is terminated; needed: fmi2Reset", fmu.said[-1][1])
+        self.assertEqual(OK, fmu.call("Reset"))
+        fmu.begin(play_program=False)
+        fmu.step(0.01)
+
     def test_two_instances_do_not_mix(self):
         one, other = self.fmu(), self.fmu()
         at_rest = other.outputs()
