@@ -44,6 +44,7 @@ std::optional<double> usual_step(std::vector<double> steps, std::size_t fewest)
 std::vector<double> depths_of(const std::vector<SurveyStation>& survey)
 {
   std::vector<double> depths;
+  depths.reserve(survey.size());
   for (const SurveyStation& station : survey) depths.push_back(station.md);
   return depths;
 }
