@@ -98,8 +98,7 @@ std::string text_of(const AccuracyReport& r)
     case AccuracyDoubt::confined:
       return text(
           "guided pipe %.4g m above the bit carries %.2f times its critical buckling load, but does not bend: drag and torque "
-          "are "
-          "too low; use numerics.level: beam3d, or hybrid with numerics.free_length above %.4g",
+          "are too low; use numerics.level: beam3d, or hybrid with numerics.free_length above %.4g",
           r.from_bit, r.measure, r.from_bit);
     case AccuracyDoubt::compression:
       return text(
@@ -114,8 +113,7 @@ std::string text_of(const AccuracyReport& r)
     case AccuracyDoubt::embedding:
       return text(
           "%.4g m above the bit the string is %.3g mm deep in the wall, more than its clearance: side forces are too small "
-          "there; "
-          "use contact.stiffness: %.2g or more, in that part if it has its own contact",
+          "there; use contact.stiffness: %.2g or more, in that part if it has its own contact",
           r.from_bit, 1e3 * r.measure, rounded_up(r.allowed));
     case AccuracyDoubt::level:
       return "numerics.level does not represent " + words_of(static_cast<unsigned>(r.measure)) +

@@ -66,8 +66,7 @@ int play(int argc, char** argv)
       drill_rig_sim::add_live_command(drill)};
   drill.footer(
       "drill COMMAND --help lists a command's options. Exit status: 0 success, 1 verify found a run wrong without a warning, 2 "
-      "bad input, 3 "
-      "the computation failed.");
+      "bad input, 3 the computation failed.");
   try
   {
     drill.parse(argc, argv);
