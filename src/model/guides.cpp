@@ -205,6 +205,7 @@ void prepare_guides(const Model& model, Stage& stage)
 {
   for (std::size_t i = 0; i < model.mesh().nodes.size(); ++i)
   {
+    stage.free[i] = 1.0;
     const MeshNode& mesh = model.mesh().nodes[i];
     const RigidBody body = node_body(model, stage, static_cast<int>(i));
     GuideColumns& g = stage.guides;
@@ -226,11 +227,20 @@ void prepare_guides(const Model& model, Stage& stage)
   }
 }
 
-void find_guides(const Model& model, const State& state, Stage& stage) noexcept
+namespace
+{
+bool guided_as_before(const State& state, const Stage& stage) noexcept
+{
+  std::size_t i = 0;
+  while (i < state.nodes.size() && state.nodes[i].guided == (stage.guides.guided[i] != 0)) ++i;
+  return i == state.nodes.size();
+}
+
+/// Which nodes are guided, and the runs of them.
+void find_guided(const Model& model, const State& state, Stage& stage) noexcept
 {
   const std::size_t n = state.nodes.size();
   for (Runs* runs : {&stage.guided_nodes, &stage.guided_elements, &stage.inner_nodes}) runs->clear();
-  stage.sides_stay = model.scene().numerics.level == Level::rigid;
   bool below = false, here = state.nodes[0].guided;
   for (std::size_t i = 0; i < n; ++i)
   {
@@ -248,6 +258,13 @@ void find_guides(const Model& model, const State& state, Stage& stage) noexcept
     here = above;
   }
   stage.any_guided = !stage.guided_nodes.empty();
+}
+}  // namespace
+
+void find_guides(const Model& model, const State& state, Stage& stage) noexcept
+{
+  if (!guided_as_before(state, stage)) find_guided(model, state, stage);
+  stage.sides_stay = model.scene().numerics.level == Level::rigid;
   for (const Runs::Run& run : stage.guided_nodes)
   {
     if (stage.guided_step_kernel)

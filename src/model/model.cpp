@@ -44,6 +44,12 @@ Model::Model(const Scene& scene, Mesh mesh)
   for (const MeshElement& element : mesh_.elements)
     span_contact_.push_back(
         wall_law(scene.contact, element.contact, element.linear_mass * element.section.length, element.friction_radius));
+  for (int e = 0; e < elements(); ++e)
+  {
+    const double top =
+        mesh_.nodes[static_cast<std::size_t>(e)].from_bit + mesh_.elements[static_cast<std::size_t>(e)].section.length;
+    wet_.push_back({top, partly_wet_weight(e, -1.0, 0.0, full_bore)});
+  }
   for (const PartSpec& part : scene_.string)
   {
     if (part.motor) motor_ = &*part.motor;
@@ -58,7 +64,7 @@ Model::Model(const Scene& scene, Mesh mesh)
   bit_bristle_ = drill_rig_sim::bit_bristle_stiffness(bit().torque, bit().diameter);
 }
 
-double Model::element_weight(int e, double z_lower, double z_upper, double bore_top) const noexcept
+double Model::partly_wet_weight(int e, double z_lower, double z_upper, double bore_top) const noexcept
 {
   const MeshElement& element = mesh_.elements[static_cast<std::size_t>(e)];
   const double immersed = immersed_share(z_lower, z_upper);

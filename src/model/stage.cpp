@@ -30,20 +30,25 @@ Vector3d up_along(const State& state, std::size_t e) noexcept
   return (state.nodes[e + 1].position - state.nodes[e].position).normalized();
 }
 
-/// What the mud's pressures do to the elements (mud_circuit.h).
-void take_pressures(const Model& model, const State& state, Stage& stage) noexcept
+/// What weight and the mud's pressures do to the elements (mud_circuit.h).
+void take_loads(const Model& model, const State& state, Stage& stage) noexcept
 {
   const MudCircuit& mud = model.mud();
   const MudPressures pressures = pressures_in_mud(model, state);
   const bool pumped = pressures.any();
+  const double bore_top = state.hydraulics.bore_top;
+  const double lifts = pumped ? pressures.annulus - state.cuttings.load - stage.drags[0].pressure : 0.0;
   for (std::size_t e = 0; e < state.spans.size(); ++e)
   {
+    const Vector3d &lower = state.nodes[e].position, &upper = state.nodes[e + 1].position;
+    const double weight = model.element_weight(static_cast<int>(e), lower.z(), upper.z(), bore_top), lift = mud.lift[e] * lifts;
+    Vector3d load = lift != 0.0 ? Vector3d(lift * up_along(state, e)) : Vector3d(Vector3d::Zero());
+    load.z() -= weight;
+    stage.load.set(e, load);
     stage.free_stretch[e] = state.spans[e].free_stretch;
-    if (!pumped) continue;
-    stage.free_stretch[e] +=
-        mud.stretch_by_bore[e] * pressures.in_bore(mud, e) + mud.stretch_by_annulus[e] * pressures.in_annulus(mud, e);
-    const double lift = mud.lift[e] * (pressures.annulus - state.cuttings.load - stage.drags[0].pressure);
-    if (lift != 0.0) stage.load.set(e, stage.load[e] + lift * up_along(state, e));
+    if (pumped)
+      stage.free_stretch[e] +=
+          mud.stretch_by_bore[e] * pressures.in_bore(mud, e) + mud.stretch_by_annulus[e] * pressures.in_annulus(mud, e);
   }
   if (stage.drags[0].pressure <= 0.0) return;
   const std::size_t packed = static_cast<std::size_t>(std::min(stage.drags[0].node, model.elements() - 1));
@@ -63,13 +68,8 @@ void take_start(const Model& model, const State& state, Stage& stage) noexcept
                               ? mud_mass(model.mesh().nodes[i], state.nodes[i], state.well, bore_top)
                               : 0.0;
   }
-  for (std::size_t e = 0; e < state.spans.size(); ++e)
-  {
-    const double low = state.nodes[e].position.z(), high = state.nodes[e + 1].position.z();
-    stage.load.set(e, Vector3d(0.0, 0.0, -model.element_weight(static_cast<int>(e), low, high, bore_top)));
-  }
   find_drags(model, state, stage);
-  take_pressures(model, state, stage);
+  take_loads(model, state, stage);
   find_guides(model, state, stage);
 }
 }  // namespace

@@ -79,12 +79,6 @@ WellNode Wellbore::at(double md) const noexcept
 
 int Wellbore::segment_at(double md, int hint) const noexcept
 {
-  // where it was, mostly
-  const HoleSegment* const originals = original_->segments.data();
-  const int count = original_count();
-  if (hint > 0 && hint < count && md >= originals[hint].md &&
-      (hint + 1 < count ? md <= originals[hint + 1].md : drilled_.count() == 0 && md <= new_interval_.md))
-    return hint;
   const int last = new_interval_index();
   hint = std::clamp(hint, 0, last);
   while (hint > 0 && md < segment(hint).md) --hint;
@@ -94,14 +88,13 @@ int Wellbore::segment_at(double md, int hint) const noexcept
 
 WellNode Wellbore::at(double md, int& hint) const noexcept
 {
-  hint = segment_at(md, hint);
-  const HoleSegment& g = segment(hint);
+  const HoleSegment& g = segment_there(md, hint);
   return g.at((md - g.md) / g.length);
 }
 
 HoleWall Wellbore::wall_at(double md, int hint) const noexcept
 {
-  const HoleSegment& g = segment(segment_at(md, hint));
+  const HoleSegment& g = segment_there(md, hint);
   const double s = (md - g.md) / g.length;
   return {g.radius + s * g.radius_change, g.friction + s * g.friction_change, g.section + s * g.section_change};
 }

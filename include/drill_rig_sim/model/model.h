@@ -84,9 +84,19 @@ public:
   /// Weight of element `e` in mud, its ends at heights `z_lower`, `z_upper` [m]; no buoyancy above the rotary table. Of a string
   /// that holds mud up to `bore_top` above the bit's face (HydraulicState), with what it holds and less what its outside
   /// displaces: it may float [N].
-  double element_weight(int e, double z_lower, double z_upper, double bore_top) const noexcept;
+  double element_weight(int e, double z_lower, double z_upper, double bore_top) const noexcept
+  {
+    const WetElement& wet = wet_[static_cast<std::size_t>(e)];
+    return z_upper <= 0.0 && bore_top >= wet.top ? wet.weight : partly_wet_weight(e, z_lower, z_upper, bore_top);
+  }
 
 private:
+  // An element in mud that is full of it: how far its upper end is from the bit's face [m], and its weight [N].
+  struct WetElement
+  {
+    double top, weight;
+  };
+  double partly_wet_weight(int e, double z_lower, double z_upper, double bore_top) const noexcept;
   WallLaw there(WallLaw law, double section, double rest) const noexcept
   {
     friction_.apply(section, law);
@@ -103,6 +113,7 @@ private:
   SectionFriction friction_;
   std::vector<WallLaw> contact_;              // per node
   std::vector<WallLaw> span_contact_;         // per element
+  std::vector<WetElement> wet_;               // too
   const MotorSpec* motor_ = nullptr;          // into scene_
   const SteerableSpec* steerable_ = nullptr;  // too
   double bit_bristle_ = 0.0;

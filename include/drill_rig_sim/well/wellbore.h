@@ -119,6 +119,12 @@ public:
   /// The segment in which they look, in the same way.
   const HoleSegment& segment_there(double md, int& segment) const noexcept
   {
+    const std::vector<HoleSegment>& originals = original_->segments;
+    if (segment > 0 && static_cast<std::size_t>(segment) < originals.size())
+    {
+      const HoleSegment& last = originals[static_cast<std::size_t>(segment)];
+      if (md >= last.md && md - last.md <= last.length) return last;  // where it was, mostly
+    }
     return this->segment(segment = segment_at(md, segment));
   }
   /// Changes when permanent nodes change, and back when a snapshot is restored.
