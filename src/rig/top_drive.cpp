@@ -257,6 +257,7 @@ DriveState next_state(const Motor& motor, bool braked, const End& end) noexcept
   next.reference = braked || motor.by_torque() ? end.speed : motor.reference.at(end.time);
   next.swings_left = swings_left(motor.spec, motor.command, motor.start);
   next.braked = braked;
+  next.reversed = motor.start.speed * end.speed < 0.0;
   next.loop = braked ? TopDriveMode::torque : motor.command.mode;
   next.integral = braked ? (end.motor + end.friction) / loop_of(motor.spec, next.loop).holding()
                          : motor.next_integral(end.time, end.speed, end.turn, end.motor,
@@ -275,7 +276,7 @@ double motor_torque_limit(const TopDriveSpec& spec, const TopDriveSetpoint& comm
 bool brake_is_on(const TopDriveSpec& spec, const TopDriveSetpoint& command, const DriveState& start) noexcept
 {
   if (spec.brake_torque <= 0.0) return false;
-  const bool stands = start.braked || std::abs(start.speed) < standing_rotor;
+  const bool stands = start.braked || start.reversed || std::abs(start.speed) < standing_rotor;
   const TopDriveModeTraits& mode = top_drive_modes[static_cast<int>(command.mode)];
   const bool stopped = mode.goal == DriveGoal::speed && command.speed == 0.0;
   const bool there =

@@ -70,6 +70,23 @@ TEST(TopDrive, TheMotorOnItsOwnAgreesWithTheSolvedRotor)
   }
 }
 
+// A set point that falls from 17 rad/s to 0 in 1 s: the loop goes through 0 by 3.5 rad/s2, so that the 0.02 rad/s about it are
+// shorter than a step of 6 ms. Without the brake what the integral has gathered would turn the rotor back by 0.42 rad/s.
+TEST(TopDrive, TheBrakeSetsAtTheFirstReversalHoweverLongTheStepsAre)
+{
+  for (const double h : {0.0005, 0.0025, 0.01, 0.013, 0.02, 0.05})
+  {
+    SCOPED_TRACE(h);
+    FreeRotor rotor(smooth());
+    rotor.state() = running(17.0);
+    double least = rotor.state().speed;
+    for (double t = 0.0; t < 5.0; t += h)
+      least = std::min(least, rotor.step(speed_command(17.0 * std::max(0.0, 1.0 - t)), h).state.speed);
+    EXPECT_GT(least, -0.05);
+    EXPECT_TRUE(rotor.state().braked);
+  }
+}
+
 // A step in which the loop reaches its limit: I stops where the law is at it, of 0.3 + 0.2 - 0.12 = 0.38 rad that it would come
 // to: 8 kN m come from the error of 0.4 rad/s, the rest from I.
 TEST(TopDrive, TheSolvedRotorStopsItsIntegralWithinAStep)

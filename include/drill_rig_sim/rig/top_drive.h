@@ -30,9 +30,9 @@
 /// creep:
 ///   q = k_g (z + u) + c_g w,   f = -q while |q| <= f_max, else -f_max sign(q), and z goes to -f/k_g over c_g/k_g.
 /// f_max is the gearbox's, and the brake's with it while the brake is on: by command, and by itself in SPEED at a set point of 0
-/// once the rotor stands, in ANGLE once it stands where it should; then it stays on as long as the set point does. With the
-/// brake on, tau = 0, and the bristle of the brake takes over the torque of the integral; on release k_i i = f. Both changes
-/// are without a jump.
+/// once the rotor stands or has just reversed, in ANGLE once it does so where it should; then it stays on as long as the set
+/// point does. With the brake on, tau = 0, and the bristle of the brake takes over the torque of the integral; on release
+/// k_i i = f. Both changes are without a jump.
 ///
 /// The rotor is condensed out of the stage: all branches are affine and fall with the rotor's angle, hence one solution, in
 /// closed form.
@@ -77,7 +77,8 @@ struct DriveState
   TopDriveMode loop = TopDriveMode::speed;  ///< whose integral it is; TORQUE on the brake
   bool swings_left = false;                 ///< OSCILLATE: counterclockwise at present
   bool braked = false;
-  bool limited = false;  ///< a limit of torque, power or speed holds the motor back
+  bool reversed = false;  ///< its speed changed sign in the last step: it stood in between, however long the step was
+  bool limited = false;   ///< a limit of torque, power or speed holds the motor back
 
   template <class V>
   void visit(V& v)
@@ -91,6 +92,7 @@ struct DriveState
     v("loop", loop);
     v("swings_left", swings_left);
     v("braked", braked);
+    v("reversed", reversed);
     v("limited", limited);
   }
 };
