@@ -11,6 +11,13 @@ namespace
 constexpr double own_of_difference = 1.0 / 3.0;  // of the finest run's error, over what the finer two differ by
 constexpr double known_to = 1.0 / 3.0;           // of the error that is to be determined
 constexpr double rounding = 1e-6;                // of sums of frames [s]
+
+bool is_right_in_statistics(const Verification::Finding& found, double tolerance) noexcept
+{
+  if (std::isnan(found.parted_from) || !found.statistics_known) return false;
+  const StatisticDifferences& off = found.statistics;
+  return std::max({off.mean, off.deviation, off.extremes, off.period}) <= tolerance;
+}
 }  // namespace
 
 Verification::Verification(double tolerance, unsigned needs) : tolerance_(tolerance), needs_(needs)
@@ -46,6 +53,8 @@ void Verification::end_window(const Outputs& measured, double time)
     row.measured.push_back(measured[i]);
     row.off.push_back(row.to_finest.absolute());
     row.own.push_back(own_of_difference * row.between_finer.absolute());
+    row.off_over.push_back(row.to_finest.statistics());
+    row.own_over.push_back(row.between_finer.statistics());
   }
 }
 
@@ -57,6 +66,14 @@ Verification::Finding Verification::finding(Output output) const
   found.mean = time_ > 0.0 ? row.sum / time_ : 0.0;
   found.finest_mean = time_ > 0.0 ? row.finest_sum / time_ : 0.0;
   found.measured = row.measured;
+  find_instants(row, found);
+  const double from = parted_from();
+  if (has_parted(row, found, from)) find_statistics(row, from, found);
+  return found;
+}
+
+void Verification::find_instants(const Row& row, Finding& found) const
+{
   for (std::size_t k = 0; k < ends_.size(); ++k)
   {
     found.off.push_back(row.off[k] / found.scale);
@@ -72,7 +89,54 @@ Verification::Finding Verification::finding(Output output) const
     found.known = own <= known_to * off;
   }
   if (std::isnan(found.wrong_from)) found.known = found.own <= known_to * tolerance_;
-  return found;
+}
+
+double Verification::parted_from() const
+{
+  for (std::size_t k = 0; k < ends_.size(); ++k)
+    for (std::size_t i = 0; i < output_count; ++i)
+      if (needed(static_cast<Output>(i)) && rows_[i].off[k] > tolerance_ * rows_[i].to_finest.scale())
+        return std::max(ends_[k] - difference_window, 0.0);
+  return none;
+}
+
+std::size_t Verification::first_over(double from) const
+{
+  const auto whole = [&](double end) { return end - from > statistics_window - rounding; };
+  return static_cast<std::size_t>(std::find_if(ends_.begin(), ends_.end(), whole) - ends_.begin());
+}
+
+/// A period is there where both runs have one.
+bool Verification::swings(const StatisticDifferences& over) noexcept
+{
+  return !std::isnan(over.period);
+}
+
+bool Verification::has_parted(const Row& row, const Finding& found, double from) const
+{
+  const std::size_t first = std::isnan(from) ? ends_.size() : first_over(from);
+  if (first == ends_.size() || std::isnan(found.wrong_from)) return false;
+  constexpr std::ptrdiff_t windows = static_cast<std::ptrdiff_t>(statistics_window / difference_window);
+  double squares = 0.0;
+  for (auto off = found.off.end() - windows; off != found.off.end(); ++off) squares += *off * *off;
+  return std::sqrt(squares / windows) > tolerance_ &&
+         std::all_of(row.off_over.begin() + static_cast<std::ptrdiff_t>(first), row.off_over.end(), swings);
+}
+
+void Verification::find_statistics(const Row& row, double from, Finding& found) const
+{
+  found.parted_from = from;
+  StatisticDifferences& most = found.statistics = StatisticDifferences();
+  for (std::size_t k = first_over(from); k < ends_.size(); ++k)
+  {
+    const StatisticDifferences &off = row.off_over[k], &own = row.own_over[k];
+    const double scale = found.scale;
+    most = {std::max(most.mean, off.mean / scale), std::max(most.deviation, off.deviation / scale),
+            std::max(most.extremes, off.extremes / scale), std::max(most.period, off.period)};
+    const double own_largest =
+        own_of_difference * std::max({own.mean / scale, own.deviation / scale, own.extremes / scale, own.period});
+    if (!swings(own) || own_largest > known_to * tolerance_) found.statistics_known = false;
+  }
 }
 
 Verification::Verdict Verification::verdict(Output output) const
@@ -80,6 +144,7 @@ Verification::Verdict Verification::verdict(Output output) const
   const Finding found = finding(output);
   const bool wrong = !std::isnan(found.wrong_from);
   if (wrong && warned_from_ <= found.wrong_from + difference_window) return Verdict::warned;
+  if (is_right_in_statistics(found, tolerance_)) return Verdict::right;
   if (!found.known) return Verdict::unknown;
   return wrong ? Verdict::silent : Verdict::right;
 }

@@ -198,6 +198,7 @@ py::dict verified(const InProcessRig& rig)
         out["refined"] = py::make_tuple(pair.times(), pair.times() * pair.times());
         out["simulated_s"] = simulator.truth().time;
         out["warned_from"] = shown(findings.warned_from());
+        out["not_measured"] = simulator.statistics().not_measured;
         for (std::size_t i = 0; i < output_count; ++i)
         {
           py::dict one;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drill_findings.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "drill_rig_sim/math/units.h"
@@ -29,6 +31,50 @@ std::size_t first_such(const Verification& verification)
   }
   return 0;
 }
+
+bool is_judged_by_statistics(const Verification& verification, Output output)
+{
+  return verification.needed(output) && !std::isnan(verification.finding(output).parted_from);
+}
+
+std::string vibrating(const Verification& verification)
+{
+  std::string names;
+  for (std::size_t i = 0; i < output_count; ++i)
+    if (is_judged_by_statistics(verification, static_cast<Output>(i)))
+      names += (names.empty() ? "" : ", ") + std::string(output_traits[i].name);
+  return names;
+}
+
+/// Of their statistics, the largest difference of each kind [-].
+StatisticDifferences largest_of_statistics(const Verification& verification)
+{
+  StatisticDifferences most;
+  for (std::size_t i = 0; i < output_count; ++i)
+  {
+    if (!is_judged_by_statistics(verification, static_cast<Output>(i))) continue;
+    const StatisticDifferences off = verification.finding(static_cast<Output>(i)).statistics;
+    most = {std::max(most.mean, off.mean), std::max(most.deviation, off.deviation), std::max(most.extremes, off.extremes),
+            std::max(most.period, off.period)};
+  }
+  return most;
+}
+
+void print_right(const Verification& verification, double tolerance)
+{
+  const std::string names = vibrating(verification);
+  if (names.empty())
+  {
+    std::printf("right: over any 3 s no output in needs is off by more than %g %% of its range\n", 100.0 * tolerance);
+    return;
+  }
+  const StatisticDifferences off = largest_of_statistics(verification);
+  std::printf(
+      "right in statistics: %s vibrate, and from %.0f s on their momentary values are one sample of many; over 30 s the mean is "
+      "off by at most %.2g %% of the range, the deviation by %.2g %%, the extremes by %.2g %%, the period by %.2g %%\n",
+      names.c_str(), verification.parted_from(), 100.0 * off.mean, 100.0 * off.deviation, 100.0 * off.extremes,
+      100.0 * off.period);
+}
 }  // namespace
 
 void print_findings(const Verification& verification, const Printed& printed)
@@ -45,22 +91,23 @@ void print_findings(const Verification& verification, const Printed& printed)
   }
 }
 
-void print_verdict(const Verification& verification, double tolerance)
+void print_verdict(const Verification& verification, double tolerance, const std::string& not_measured)
 {
   const std::size_t i = first_such(verification);
   const Verification::Finding found = verification.finding(static_cast<Output>(i));
   switch (verification.verdict())
   {
     case Verification::Verdict::right:
-      std::printf("right: over any 3 s no output in needs is off by more than %g %% of its range\n", 100.0 * tolerance);
+      print_right(verification, tolerance);
       break;
     case Verification::Verdict::warned:
       std::printf("wrong, and warned of: %s is off by more than %g %% from %.0f s on, a warning came at %.0f s\n",
                   output_traits[i].name, 100.0 * tolerance, found.wrong_from, verification.warned_from());
       break;
     case Verification::Verdict::silent:
-      std::printf("wrong without a warning: %s is off by more than %g %% from %.0f s on\n", output_traits[i].name,
-                  100.0 * tolerance, found.wrong_from);
+      std::printf("wrong without a warning: %s is off by more than %g %% from %.0f s on%s\n", output_traits[i].name,
+                  100.0 * tolerance, found.wrong_from,
+                  not_measured.empty() ? "" : ("; its error was not measured: " + not_measured).c_str());
       break;
     case Verification::Verdict::unknown:
       std::printf(
@@ -79,7 +126,8 @@ nlohmann::ordered_json json_of(const Simulator& simulator, const FinerPair& pair
                              {"tolerance", simulator.scene().numerics.tolerance},
                              {"refined", {pair.times(), pair.times() * pair.times()}},
                              {"simulated_s", simulator.truth().time},
-                             {"warned_from", verification.warned_from()}};
+                             {"warned_from", verification.warned_from()},
+                             {"not_measured", simulator.statistics().not_measured}};
   for (const OutputTraits& traits : output_traits)
     visit(verification, static_cast<Output>(&traits - output_traits.data()),
           [&](const char* name, const auto& value) { out["outputs"][traits.name][name] = value; });

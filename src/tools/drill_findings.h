@@ -3,6 +3,7 @@
 #define DRILL_RIG_SIM_SRC_TOOLS_DRILL_FINDINGS_H
 
 #include <nlohmann/json.hpp>
+#include <string>
 
 #include "drill_rig_sim/sim/finer_pair.h"
 #include "drill_units.h"
@@ -13,8 +14,8 @@ namespace drill_rig_sim
 /// A line an output.
 void print_findings(const Verification& verification, const Printed& printed);
 
-/// A line.
-void print_verdict(const Verification& verification, double tolerance);
+/// A line. `not_measured`: why the run's error was not, in which case no warning could come; empty where it was.
+void print_verdict(const Verification& verification, double tolerance, const std::string& not_measured);
 
 /// All of it; what is not finite is written as null.
 nlohmann::ordered_json json_of(const Simulator& simulator, const FinerPair& pair);

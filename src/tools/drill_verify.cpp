@@ -124,7 +124,7 @@ void print(const Simulator& simulator, const VerifyOptions& options, const Finer
   std::printf("%s: %.1f s compared with two finer models (beam3d, elements and steps %g and %g times shorter)\n",
               simulator.scene().name.c_str(), simulator.truth().time, pair.times(), pair.times() * pair.times());
   print_findings(pair.findings(), Printed(options.units));
-  print_verdict(pair.findings(), simulator.scene().numerics.tolerance);
+  print_verdict(pair.findings(), simulator.scene().numerics.tolerance, simulator.statistics().not_measured);
 }
 
 void verify(const VerifyOptions& options)

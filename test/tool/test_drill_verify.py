@@ -43,6 +43,11 @@ class Verify(test_drill.Drill):
             self.assertEqual(one['worst'], max(one['off']))
             self.assertIn(one['verdict'], ('right', 'warned', 'silent', 'unknown'))
 
+    def test_a_wrong_run_that_measures_no_error_is_reported_with_the_reason(self):
+        out, found = self.verified(QUICK, '--set', 'numerics.level=beam3d', '--set', 'numerics.step=0.01', '--duration', '6')
+        self.assertRegex(out, r'\nwrong without a warning: [^\n]*; its error was not measured: numerics.level is set by hand and numerics.companion is not\n$')
+        self.assertEqual('numerics.level is set by hand and numerics.companion is not', found['not_measured'])
+
     def test_what_is_refused(self):
         for words, said in (((QUICK, '--wob', '1e4'), 'need --score'), ((QUICK, '--namespace', 'rig'), 'allowed only with a bag'), ((QUICK, '--score', '--wob-band', '1'), '--wob-band: needs --wob'),
                             ((self.file('no.bag'),), 'no.bag'), ((QUICK, '--times', '1.1'), '--times')):

@@ -95,6 +95,55 @@ TEST(Verification, finerRunsThatDisagreeTellNothing)
   EXPECT_EQ(verified(nothing, [](double) { return 1e3; }).verdict(), Verification::Verdict::right);
 }
 
+/// Torques over `duration` [s] of a bit that sticks and slips every 4 s: the finest run's and one whose period is `longer` [-],
+/// with an error on top; the finer run is as the finest.
+template <class Error>
+Verification of_stick_slip(double longer, const Error& error, double duration = 100.0)
+{
+  constexpr double period = 4.0, mean = 5e3, amplitude = 2e3;  // [s], [N m]
+  Verification verification(0.02, need_torque);
+  for (int k = 1; k <= static_cast<int>(duration / frame); ++k)
+  {
+    const double t = k * frame, angle = 2.0 * M_PI * t / period;
+    const double finest = mean + amplitude * std::sin(angle),
+                 run = mean + amplitude * std::sin(angle / (1.0 + longer)) + error(t);
+    verification.add({0.0, run}, {0.0, finest}, {0.0, finest}, false, {}, t, frame);
+  }
+  return verification;
+}
+
+// After a time t the phase is off by 2 pi t/4 s/1000: by 2 % of the range 2 A where A times that over sqrt(2) is 0.04 A, at 36 s.
+TEST(Verification, aVibrationThatGetsOutOfPhaseIsJudgedByItsStatistics)
+{
+  const Verification drifts = of_stick_slip(1e-3, nothing);
+  const Verification::Finding found = drifts.finding(Output::torque);
+  EXPECT_EQ(drifts.verdict(), Verification::Verdict::right);
+  EXPECT_GT(found.worst, 0.05) << "its instants are wrong";
+  EXPECT_NEAR(found.parted_from, 36.0, 3.0);
+  EXPECT_NEAR(found.statistics.period, 1e-3, frame / 24.0) << "rises are known to a frame, 24 s from the first to the last";
+  EXPECT_LT(found.statistics.mean, 0.01);
+  EXPECT_EQ(of_stick_slip(1e-3, nothing, 60.0).verdict(), Verification::Verdict::silent) << "no whole window since";
+}
+
+TEST(Verification, aVibrationWithAnotherPeriodMeanOrAmplitudeIsWrong)
+{
+  EXPECT_EQ(of_stick_slip(0.03, nothing).verdict(), Verification::Verdict::silent);
+  EXPECT_EQ(of_stick_slip(1e-3, [](double t) { return t > 40.0 ? 120.0 : 0.0; }).verdict(), Verification::Verdict::silent);
+  EXPECT_EQ(of_stick_slip(1e-3, [](double t) { return 200.0 * std::sin(2.0 * M_PI * t / 4.0); }).verdict(),
+            Verification::Verdict::silent);
+}
+
+TEST(Verification, anErrorThatPassesOrDoesNotVibrateIsJudgedByItsInstants)
+{
+  const Verification passes = of_stick_slip(0.0, [](double t) { return t > 40.0 && t < 43.0 ? 300.0 : 0.0; });
+  EXPECT_EQ(passes.verdict(), Verification::Verdict::silent);
+  EXPECT_TRUE(std::isnan(passes.finding(Output::torque).parted_from));
+  Verification still(0.02, need_torque);
+  for (int k = 1; k <= 10000; ++k) still.add({0.0, 5e3 + 0.1 * k}, {0.0, 5e3}, {0.0, 5e3}, false, {}, k * frame, frame);
+  EXPECT_EQ(still.verdict(), Verification::Verdict::silent);
+  EXPECT_TRUE(std::isnan(still.finding(Output::torque).parted_from));
+}
+
 TEST(Verification, outputsThatNobodyNeedsDoNotCount)
 {
   Verification verification(0.02, need_torque);

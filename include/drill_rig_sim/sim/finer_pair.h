@@ -52,6 +52,11 @@ void visit(const Verification& findings, Output output, V&& v)
   v("known_to", found.own);
   v("known", found.known);
   v("wrong_from", found.wrong_from);
+  v("parted_from", found.parted_from);
+  v("mean_off", found.statistics.mean);
+  v("deviation_off", found.statistics.deviation);
+  v("extremes_off", found.statistics.extremes);
+  v("period_off", found.statistics.period);
   v("off", found.off);
   v("measured", found.measured);
 }
