@@ -143,6 +143,13 @@ audit: 1.0
         results.forget_bad(["a", "b"])
         self.assertEqual({"a"}, results.done(AUDITS))
 
+    def test_runs_whose_error_was_not_measured_are_reported(self):
+        why = "numerics.level is set by hand and numerics.companion is not"
+        audited = [{"outputs": {"not_measured": why}}, {"outputs": {"not_measured": ""}}, {"outputs": {}}]
+        self.assertEqual("1 of them did not measure their error, so that no warning could come: " + why, audits.unmeasured(audited))
+        self.assertEqual("", audits.unmeasured(audited[1:]))
+        self.assertEqual("", outcome(read_plan(self.plan(self.PLAN)).blueprint, [60.0, 0.2], verified=True)[2]["not_measured"])
+
     def test_files_of_an_older_version_have_no_audits(self):
         with mock.patch("drill_rig_sim.campaign.results.AUDITS_TABLE", "select 1"):
             Results(self.place("old.sqlite")).close()

@@ -90,6 +90,12 @@ def summary(statuses):
     return ", ".join("%d %s" % (number, VERDICTS[word]) for word, number in counts(statuses).items() if number)
 
 
+def unmeasured(audited):
+    """A sentence about audited runs whose error was not measured, so that no warning could come, with the first one's reason; "" where there are none."""
+    reasons = [why for why in (row.get("outputs", {}).get("not_measured") for row in audited) if why]
+    return "%d of them did not measure their error, so that no warning could come: %s" % (len(reasons), reasons[0]) if reasons else ""
+
+
 def worst_of(row):
     """Name and finding of the needed output that is farthest off in an audit; (None, None) where it has none."""
     needed = [(name, finding) for name, finding in row["outputs"].get("outputs", {}).items() if finding["needed"] and finding["worst"] is not None]

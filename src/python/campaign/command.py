@@ -167,9 +167,9 @@ def told(results, number):
     print("%d of %d runs are in the results: %s" % (sum(counts.values()), number, ", ".join("%d %s" % (n, status) for status, n in sorted(counts.items()))))
     for status in sorted(set(first) - {RUN_GOOD}):
         print("%s, first run %d: %s" % (status, first[status]["number"], first[status]["reason"]))
-    verdicts = [row["status"] for row in results.audits()]
-    if verdicts:
-        print("%d runs were audited: %s" % (len(verdicts), audits.summary(verdicts)))
+    audited = list(results.audits())
+    if audited:
+        print("; ".join(filter(None, ("%d runs were audited: %s" % (len(audited), audits.summary(row["status"] for row in audited)), audits.unmeasured(audited)))))
     return GOOD if counts.get(RUN_GOOD, 0) == number else SOME_BAD
 
 

@@ -18,8 +18,9 @@ def intro(rows):
         return NONE % ("it is not done yet" if share else "<code>audit</code> is 0 in the plan" if rows.about.get("audit") == 0.0 else
                        "there are fewer than %d; <code>audit: %g</code> in the plan asks for it" % (audits.SMALL, audits.SHARE))
     tolerances = sorted({row["outputs"]["tolerance"] for row in rows.audits if "tolerance" in row["outputs"]})
-    return SHOWN % (len(rows.audits), len(rows.rows), "drawn by the plan's seed, and those with extreme results",
-                    html.escape(audits.summary(row["status"] for row in rows.audits)), " or ".join(percent(value) for value in tolerances) or "not known")
+    found = [audits.summary(row["status"] for row in rows.audits), audits.unmeasured(rows.audits)]
+    return SHOWN % (len(rows.audits), len(rows.rows), "drawn by the plan's seed, and those with extreme results", html.escape("; ".join(filter(None, found))),
+                    " or ".join(percent(value) for value in tolerances) or "not known")
 
 
 def percent(share):
