@@ -108,6 +108,8 @@ void OperationsPlayer::apply(RigControls& rig) noexcept
     approach_ = BottomApproach();
     zeroes_ = false;
     crew_came_ = true;
+    // a stroke goes on with a stand more or less: its way is that of the bit
+    began_block_ = rig.readings().block_height - (began_bit_ - rig.readings().bit_depth);
     watch_.begin(rig.truth().time);
     followed_at_ = rig.truth().time;
     return;

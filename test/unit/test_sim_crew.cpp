@@ -276,6 +276,36 @@ TEST(Crew, comesForAnOperation)
   EXPECT_EQ(scene_problems(scene).front().text, "connection: the block travels 24 m, needed for a stand: 30 m");
 }
 
+// Longer than the mast is high: the way of pick_up, and of the strokes of ream, is the bit's. pick_up is over where the block
+// still rises by v^2/(2 a).
+TEST(Crew, strokesGoOverAStand)
+{
+  Scene scene = soft_rock(Level::rigid);
+  scene.start.bit_depth -= 5.0;
+  const auto stroke = [](OperationKind kind, double distance)
+  {
+    Operation o = default_operation(kind);
+    o.speed = 0.5;
+    o.distance = distance;
+    return o;
+  };
+  scene.operations = {stroke(OperationKind::pick_up, 45.0), stroke(OperationKind::ream, 40.0)};
+  Simulator rig(scene);
+  ScenePlayer player(rig.scene());
+  const double begun = rig.readings().bit_depth, rise = 0.25 / (2.0 * scene.rig.hoisting.max_acceleration);
+  double picked_up = 0.0, highest = begun;
+  for (int k = 0; k < 200000 && !player.finished(); ++k)
+  {
+    ASSERT_EQ(play_frame(rig, &player, slips_frame), FrameStatus::running) << rig.failure();
+    if (player.operations().status().number == 1) picked_up = begun - rig.readings().bit_depth;
+    highest = std::min(highest, rig.readings().bit_depth);
+  }
+  ASSERT_TRUE(player.finished());
+  EXPECT_NEAR(picked_up, 45.0 - rise, 0.02);
+  EXPECT_NEAR(begun - highest, picked_up + 40.0, 0.05);
+  EXPECT_NEAR(begun - rig.readings().bit_depth, picked_up, rise + 0.05);
+}
+
 // What no crew would do ends with a reason, and the block does not set the string down.
 TEST(Crew, operationsThatCannotBeAreTold)
 {
