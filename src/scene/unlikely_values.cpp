@@ -15,10 +15,12 @@ namespace drill_rig_sim
 {
 namespace
 {
-constexpr double lightest_mud = 500.0;                     // of a liquid [kg/m3]; lighter are gas and foam
-constexpr double ppg = 119.8264;                           // [kg/m3]
-constexpr double least_mass = 0.7, most_mass = 2.0;        // of a part, by the mass of its body: tool joints and blades add to it
-constexpr double steepest_slant = 50.0 * degree;           // slant rigs begin with up to 45 deg
+constexpr double lightest_mud = 500.0;               // of a liquid [kg/m3]; lighter are gas and foam
+constexpr double ppg = 119.8264;                     // [kg/m3]
+constexpr double least_mass = 0.7, most_mass = 2.0;  // of a part, by the mass of its body: tool joints and blades add to it
+constexpr double with_joints = 1.11;                 // least mass of pipe with tool joints, by its body: 1.12 to 1.25 (API RP 7G)
+constexpr double slim_pipe = 0.1;                    // thinner pipe may have slim joints, whose mass is below that [m]
+constexpr double steepest_slant = 50.0 * degree;     // slant rigs begin with up to 45 deg
 constexpr double least_radians = 0.1, most_radians = 1.8;  // largest inclination of a hole that is not vertical [rad]
 constexpr std::size_t fewest_radians = 4;                  // azimuths that are no whole numbers
 constexpr double warmest_rock = 300.0;                     // that is drilled, but for geothermal wells into magma [degC]
@@ -44,13 +46,30 @@ std::string unlikely_mud(double density)
   return line("mud.density: %g kg/m3 is the density of foam; is its unit missing? Muds have 800 to 2400 kg/m3", density);
 }
 
+double body_mass(const PartSpec& part)  // [kg/m]
+{
+  return pi / 4.0 * (part.outer_diameter * part.outer_diameter - part.inner_diameter * part.inner_diameter) * part.density;
+}
+
 std::string unlikely_mass(const PartSpec& part, std::size_t place)
 {
-  const double body =
-      pi / 4.0 * (part.outer_diameter * part.outer_diameter - part.inner_diameter * part.inner_diameter) * part.density;
+  const double body = body_mass(part);
   if (part.bit || !(body > 0.0) || (part.linear_mass >= least_mass * body && part.linear_mass <= most_mass * body)) return "";
   return line("string[%zu].linear_mass: %g kg/m does not match its diameters and density (%.3g kg/m); is its unit right?", place,
               part.linear_mass, body);
+}
+
+// the nominal weight of drill pipe is that of its body with upsets, 1.06 to 1.11 times the body's
+std::string nominal_mass(const PartSpec& part, std::size_t place)
+{
+  if (!part.pipe || part.outer_diameter < slim_pipe || part.pipe->tool_joint_diameter < 1.1 * part.outer_diameter) return "";
+  const double body = body_mass(part);
+  if (part.linear_mass < 1.01 * body || part.linear_mass > with_joints * body) return "";
+  return line(
+      "string[%zu].linear_mass: %g kg/m is %.2f times the mass of its body, with tool joints pipe has 1.12 to 1.25 times that; "
+      "is it "
+      "the nominal weight, without them?",
+      place, part.linear_mass, part.linear_mass / body);
 }
 
 // where the rock at the deepest point of the hole is warmer than muds and tools stand
@@ -80,7 +99,8 @@ std::vector<std::string> unlikely_values(const Scene& scene, bool stations)
          {sharp_turn(survey), like_radians(survey), like_feet(survey), wrong_digit(survey, *length_unit("m"))})
       lines.push_back(text.empty() ? "" : "well.stations: " + text);
   lines.push_back(unlikely_rock(scene));
-  for (std::size_t i = 0; i < scene.string.size(); ++i) lines.push_back(unlikely_mass(scene.string[i], i));
+  for (std::size_t i = 0; i < scene.string.size(); ++i)
+    for (const std::string& text : {unlikely_mass(scene.string[i], i), nominal_mass(scene.string[i], i)}) lines.push_back(text);
   std::vector<std::string> found = unlikely_numbers(scene);
   for (const std::string& one : lines)
     if (!one.empty()) found.push_back(one);

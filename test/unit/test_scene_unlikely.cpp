@@ -75,4 +75,36 @@ TEST(SceneUnlikely, WhatRigsHaveIsNot)
                               "mud.temperature.circulated=1 h"})
     EXPECT_TRUE(remarks(setting).empty()) << setting << ": " << remarks(setting).front();
 }
+
+// API RP 7G, drill pipe with the joints of its grades: nominal weights of 19.5, 16.6 and 21.9 lb/ft; with tool joints 20.9
+// to 26.2.
+TEST(SceneUnlikely, NominalWeightsOfPipeAreReported)
+{
+  struct Pipe
+  {
+    double outer, inner, tool_joint;  // [in]
+    double nominal;                   // [lb/ft]
+    std::vector<double> with_joints;
+  };
+  const std::vector<Pipe> pipes = {{5.0, 4.276, 6.375, 19.5, {20.89, 21.40, 22.58}},
+                                   {4.5, 3.826, 6.25, 16.6, {18.14, 18.37, 18.79}},
+                                   {5.5, 4.778, 7.0, 21.9, {23.77, 24.41, 26.2}}};
+  const auto said = [](const Pipe& pipe, double tool_joint, double weight)
+  {
+    const auto set = [](const char* key, double value, const char* unit)
+    { return "string[1]." + std::string(key) + "=" + std::to_string(value) + " " + unit; };
+    return parse_scene(scene_text(rheology), "s.yaml",
+                       {set("outer_diameter", pipe.outer, "in"), set("inner_diameter", pipe.inner, "in"),
+                        set("tool_joint_diameter", tool_joint, "in"), set("linear_mass", weight, "lbm/ft")})
+        .remarks;
+  };
+  for (const Pipe& pipe : pipes)
+  {
+    const std::vector<std::string> lines = said(pipe, pipe.tool_joint, pipe.nominal);
+    ASSERT_EQ(1u, lines.size()) << pipe.outer;
+    EXPECT_NE(std::string::npos, lines[0].find("is it the nominal weight, without them?")) << lines[0];
+    EXPECT_TRUE(said(pipe, pipe.outer, pipe.nominal).empty()) << "flush pipe";
+    for (const double weight : pipe.with_joints) EXPECT_TRUE(said(pipe, pipe.tool_joint, weight).empty()) << weight;
+  }
+}
 }  // namespace test_scene_unlikely
