@@ -122,6 +122,30 @@ class Made(unittest.TestCase):
         steps = [(8, 0.1 + 0.237 * (k % 2), 0.0, 0.0, 9e5) for k in range(10)]  # a speed that changes all the time
         self.assertEqual(2, self.found(steps)[0])
 
+    def test_times_of_a_display(self):
+        """A row each 5 s, with values that a display took up to 0.8 s before its time and 0.3 s after it: the speed of an even block seems to change by a third. A block that
+        runs at two speeds is not even."""
+        def displayed(seed, shift=0.0):
+            chance = numpy.random.default_rng(seed)
+
+            def change(rows):
+                cells = numpy.array(rows, float)
+                taken = numpy.arange(5.0, len(cells) - 5.0, 5.0) + shift
+                taken += chance.uniform(-0.8, 0.3, len(taken))
+                values = numpy.array([numpy.interp(taken, cells[:, 0], column) for column in cells.T]).T
+                return [["%g" % (5 * k), *("%.9g" % cell for cell in row[1:])] for k, row in enumerate(values)]
+            return change
+        parts = [self.STOP, self.UP, self.STOP, self.TURN, self.STOP, self.DOWN, self.STOP, self.TURN]
+        wanted = [("pick_up", 900000), ("rotating_after_up", 800000), ("slack_off", 700000), ("rotating_after_down", 800000)]
+        for seed in range(8):
+            moves, told = self.changed(parts, displayed(seed, 0.4 * seed))
+            self.assertEqual((wanted, False), (moves, "no steady" in told), told)
+            steps = [(10, speed, 0.0, 0.0, 9e5) for _ in range(6) for speed in (0.1, 0.3)]
+            status, told = self.changed([self.STOP, *steps, self.STOP], displayed(seed))
+            self.assertEqual((2, 1), (status, told.count("\n")), told)
+            self.assertIn("no steady pick_up was found in 1 moves, the longest of 1", told)
+            self.assertIn("needed after the start of a move: an even speed for 5 s and 4 rows with a hook load", told)
+
     def test_an_uneven_load_is_reported(self):
         def ringing(rows):
             return [[*row[:4], "%g" % (float(row[4]) + (2e4 if float(row[4]) == 7e5 else 1e3) * (-1)**k), *row[5:]] for k, row in enumerate(rows)]

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Steady moves of a string off bottom in a record: pick-up, slack-off and rotating weights, and the empty block while the string is in the slips."""
 import numpy
-from drill_rig_sim.field.course import Course, half_band, resolution
+from drill_rig_sim.field.course import LOWER_HALF, Course, half_band, resolution
 from drill_rig_sim.field.pipe import HANGS, check_directions, check_scale, clock, standstills
 from drill_rig_sim.field.record import RecordError, long_step
 
@@ -9,6 +9,8 @@ MOVING = 0.02        # slowest block that counts as moving [m/s]
 TURNING = 2.0        # slowest rotation that frees a string of friction along the hole [rad/s]
 STILL = 0.5          # fastest rotation of a string that counts as not turned [rad/s]
 EVEN = 0.15          # share by which the speed of a steady move may differ
+TIMES = 3.0, 0.6     # deviations of the time of a row that are no change of speed; largest such deviation, of times rounded to 2 s [s]
+UNEVEN = 0.6         # share by which the speed may differ at most, however uncertain the times are
 OFF_BOTTOM = 2.0     # least height of the bit above bottom [m]
 SPIKE = 5            # rows in a row of which the middle one counts as the depth of the hole
 EMPTY = 0.95         # of the least load of a string, what the empty block may weigh
@@ -76,13 +78,28 @@ def moves_of(record, passed=None):
     kinds = kinds_of(record, speeds, stands)
     if passed is not None:
         kinds[passed[1:] | passed[:-1]] = ""
-    found = [move for begin, end in runs(kinds, speeds) for move in [steady_part(record, kinds[begin], speeds, begin, end)] if move is not None]
+    unsure = TIMES[0] * time_scatter(record, speeds, kinds) / numpy.diff(record.time)
+    every = runs(kinds, speeds, allowed(numpy.sqrt(6.0) * numpy.maximum(unsure[1:], unsure[:-1])))
+    found = [move for begin, end in every for move in [steady_part(record, kinds[begin], speeds, begin, end, allowed(numpy.sqrt(2.0) * unsure[begin:end]))] if move is not None]
     known = [move for move in found if move.motion != UNKNOWN]
     left_out = [move for move in found if move.motion == UNKNOWN]
     lines = ["%s: %d moves are left out: in a gap before them the block moved by an unknown distance (first: rotating at %.1f s)" %
              (record.name, len(left_out), left_out[0].from_time)] if left_out else []
     moves, odd = plausible(record, known)
-    return moves, lines + odd + uneven(record, moves)
+    return moves, lines + odd + not_found(record, kinds, found) + uneven(record, moves)
+
+
+def not_found(record, kinds, found):
+    """A line on each kind of weight that the record may have, but no steady move of it."""
+    lines = []
+    for motion, name in (("pick_up", "pick_up"), ("slack_off", "slack_off"), ("rotating", "rotating weight")):
+        ways = [way for way in runs(numpy.where(numpy.char.startswith(kinds, motion), motion, ""), numpy.zeros(len(kinds)), numpy.ones(len(kinds) - 1))
+                if record.time[way[1]] - record.time[way[0]] >= SETTLES]
+        if ways and not any(move.motion.startswith(motion) for move in found):
+            begin, end = max(ways, key=lambda way: record.time[way[1]] - record.time[way[0]])
+            lines.append("%s: no steady %s was found in %d moves, the longest of %.0f s from %.1f s on; needed after the start of a move: an even speed for %g s and %d rows "
+                         "with a hook load" % (record.name, name, len(ways), record.time[end] - record.time[begin], clock(record, begin), SHORTEST, LEAST_ROWS))
+    return lines
 
 
 def uneven(record, moves):
@@ -156,23 +173,39 @@ def last_ways(record, speeds):
     return numpy.where(places >= 0, moved[places], 0.0)
 
 
-def runs(kinds, speeds):
-    """(first, last + 1) of the intervals of one motion in which the speed of a block that moves with the string does not change abruptly."""
+def time_scatter(record, speeds, kinds):
+    """Standard deviation of the times at which a display's values were taken from those of its rows, by the speed of a block that moves evenly in most rows [s]."""
+    alike = (kinds[2:] == kinds[1:-1]) & (kinds[1:-1] == kinds[:-2]) & ((kinds[2:] == "pick_up") | (kinds[2:] == "slack_off"))
+    three = numpy.array([speeds[:-2], speeds[1:-1], speeds[2:]])[:, alike]
+    third = numpy.sort(numpy.abs(three[0] - 2.0 * three[1] + three[2]) / numpy.abs(three.mean(axis=0)))
+    if len(third) < 8:
+        return 0.0
+    usual = float(third[:(len(third) + 1) // 2].mean()) / LOWER_HALF / numpy.sqrt(20.0)
+    return min(usual * float(numpy.median(numpy.diff(record.time))), TIMES[1])
+
+
+def allowed(unsure):
+    """Share by which speeds may differ that are as uncertain by the times of their rows."""
+    return numpy.clip(unsure, EVEN, UNEVEN)
+
+
+def runs(kinds, speeds, most):
+    """(first, last + 1) of the intervals of one motion in which the speed of a block that moves with the string does not change abruptly: by more than the share `most`."""
     fastest = numpy.maximum(numpy.abs(speeds[1:]), numpy.abs(speeds[:-1]))
-    abrupt = (fastest > MOVING) & (numpy.abs(numpy.diff(speeds)) > EVEN * fastest) & ~numpy.char.startswith(kinds[1:], "slips")
+    abrupt = (fastest > MOVING) & (numpy.abs(numpy.diff(speeds)) > most * fastest) & ~numpy.char.startswith(kinds[1:], "slips")
     bounds = [0, *(numpy.flatnonzero((kinds[1:] != kinds[:-1]) | abrupt) + 1), len(kinds)]
     return [(begin, end) for begin, end in zip(bounds, bounds[1:]) if kinds[begin]]
 
 
-def steady_part(record, kind, speeds, begin, end):
-    """A Move of the intervals begin to end - 1, without what comes before it is steady; None where too little is left."""
+def steady_part(record, kind, speeds, begin, end, most):
+    """A Move of the intervals begin to end - 1, without what comes before it is steady; None where too little is left. `most`: by interval, share by which its speed may differ."""
     rows = numpy.arange(begin, end + 1)
     rows = rows[settled(record, kind, speeds, rows)]
     measured = numpy.isfinite(record.signals["hook_load"])
     if kind.startswith("rotating") and len(rows) > 1:
-        rows = even(rows, numpy.abs(record.at("top_drive_speed", record.time[rows[1:]])))
+        rows = even(rows, numpy.abs(record.at("top_drive_speed", record.time[rows[1:]])), EVEN)
     elif not kind.startswith("slips") and len(rows) > 1:
-        rows = even(rows, speeds[rows[0]:rows[-1]])
+        rows = even(rows, speeds[rows[0]:rows[-1]], most[rows[0] - begin:rows[-1] - begin])
         rows = rows[rows < end]  # the load of the last row may be that of the block at rest
     elif len(rows):  # what accelerates the empty block is little, and none in the mean
         rows = rows[measured[rows]]
@@ -195,10 +228,10 @@ def settled(record, kind, speeds, rows):
     return (lasted >= SETTLES) & (way >= STRETCH[0] + STRETCH[1] * depth)
 
 
-def even(rows, speeds):
-    """The longest part of consecutive rows in which the speeds from row to row are the usual one."""
+def even(rows, speeds, most):
+    """The longest part of consecutive rows in which the speeds from row to row are the usual one, but for a share `most` of it."""
     usual = numpy.median(speeds)
-    bounds = numpy.flatnonzero(numpy.concatenate(([True], numpy.abs(speeds - usual) > EVEN * abs(usual), [True])))
+    bounds = numpy.flatnonzero(numpy.concatenate(([True], numpy.abs(speeds - usual) > most * abs(usual), [True])))
     longest = int(numpy.diff(bounds).argmax())
     return rows[bounds[longest]:bounds[longest + 1]]
 
