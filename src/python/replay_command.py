@@ -4,6 +4,7 @@ command line."""
 import argparse
 import os
 import sys
+import time
 
 from drill_rig_sim.field.models import ModelError, scene_and_survey
 from drill_rig_sim.field.record import COMPARED, RecordError, read_record
@@ -17,6 +18,19 @@ from drill_rig_sim.sim import found
 from drill_rig_sim.units import QUANTITIES, SI, SYSTEMS, Units
 
 NAMES = {"hook_load": "hook load", "torque": "torque", "stand_pipe_pressure": "stand pipe"}
+
+
+class Progress:
+    """A line each ten seconds on a terminal: a long record takes minutes."""
+
+    def __init__(self):
+        self.began = self.told = time.monotonic()
+
+    def __call__(self, done, whole):
+        now = time.monotonic()
+        if now - self.told > 10.0 and done > 0.0 and sys.stderr.isatty():
+            self.told, left = now, (now - self.began) * max(whole - done, 0.0) / done
+            print("drill replay: %.0f of %.0f s played, %.0f s, about %.0f s left" % (done, whole, now - self.began, left), file=sys.stderr, flush=True)
 
 
 def table(replay, units=SI):
@@ -71,7 +85,7 @@ def replay_of(options):
     file = found(os.path.abspath(options.scene) if os.path.exists(options.scene) else options.scene, "config/scenes")
     scene, survey = scene_and_survey(file)
     values, lines = start_keys(scene, record, options.start)
-    replay = play(simulator_of(file, scene, survey, values), record, left_out)
+    replay = play(simulator_of(file, scene, survey, values), record, left_out, Progress())
     if not replay.table():
         raise RecordError("%s: no row is left to compare; needed: shorter stretches in --leave-out, or %s with the string on the hook" % (record.name, ", ".join(COMPARED)))
     replay.remarks += remarks + lines

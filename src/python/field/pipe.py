@@ -9,6 +9,7 @@ STILL = 0.05  # by which the bit moves in the slips, or its gauge [m]
 FASTEST = 1.0  # mean speed of a block that goes away and comes back between two rows [m/s]
 SCALED = 0.2, 0.05  # way of the block over which its way and the bit's are compared: at least so much [m], and this share of all
 ALIKE, UNLIKE, LEAST_WAYS = 0.1, 2.0, 4  # share by which these ratios may differ, ratio from which on a unit is wrong, ways that show it
+PIPE = 5.0    # way of the block without the string that is a connection [m]
 HANGS = 0.5   # share of the usual hook load below which the string is taken to hang in the slips
 
 
@@ -105,6 +106,18 @@ def check_scale(record):
     usual = float(numpy.median(ratios))
     if max(usual, 1.0 / usual) > UNLIKE and (numpy.abs(ratios - usual) <= ALIKE * usual).mean() > 1.0 - 2.0 * ALIKE:
         raise RecordError("%s: block_height changes by %.3g m for each metre of bit_depth; needed: equal changes; are both units right?" % (record.name, usual))
+
+
+def check_connections(record):
+    """RecordError where a record without the bit's depth has connections: the block would be taken to move the string when it runs empty."""
+    if "bit_depth" in record or not {"block_height", "hook_load"} <= set(record.signals):
+        return
+    height, load = (record.at(signal, record.time) for signal in ("block_height", "hook_load"))
+    empty = load < HANGS * numpy.median(load)
+    way = numpy.abs(numpy.diff(height)) * (empty[1:] & empty[:-1])
+    if way.sum() > PIPE:
+        raise RecordError("%s: has no bit_depth, and the block moves by %.1f m with less than half of the usual hook load (first: at %.1f s), as in connections; needed: "
+                          "bit_depth, or a part of the record without connections" % (record.name, way.sum(), clock(record, int(numpy.argmax(way > 0.0)))))
 
 
 def slipped(record, bit, block, k):

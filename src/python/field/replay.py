@@ -5,7 +5,7 @@ import re
 import numpy
 from drill_rig_sim.control import driven
 from drill_rig_sim.field.follow import PATIENCE, Follow
-from drill_rig_sim.field.pipe import Slip, check_directions, check_scale, clock, compared, pipe_events
+from drill_rig_sim.field.pipe import Slip, check_connections, check_directions, check_scale, clock, compared, pipe_events
 from drill_rig_sim.field.record import COMPARED, RecordError
 from drill_rig_sim.field.window import inside
 from drill_rig_sim.law import RPM
@@ -86,6 +86,7 @@ def check(record):
         raise RecordError("%s: lasts %.3g s; needed: %g s or more; is the unit of the time right?" % (record.name, record.time[-1], SHORTEST))
     check_directions(record)
     check_scale(record)
+    check_connections(record)
     gap = int(numpy.diff(record.time).argmax())
     if record.time[gap + 1] - record.time[gap] > LONGEST_GAP:
         raise RecordError("%s: has a gap of %.6g days from %.1f s on; allowed: a day; needed: a part before or after it (drill replay --from, --to; from and to of a fit)" %
@@ -152,9 +153,9 @@ def run_up(rig, record):
     return ["begins with %s: played for %g s before it, with the block at rest" % (" and ".join(running), RUN_UP)]
 
 
-def play(rig, record, left_out=()):
+def play(rig, record, left_out=(), tell=lambda done, whole: None):
     """Plays a record on a rig in lockstep (drill_rig_sim.sim) that stands where the record begins; a Replay. `left_out`: (begin, end) in the record's file [s], which are
-    not compared."""
+    not compared. `tell`: called with how much of the record is played, and with its length [s]."""
     check(record)
     remarks = check_start(record, rig)
     law = Follow(record, rig)
@@ -165,6 +166,7 @@ def play(rig, record, left_out=()):
         shown.append([getattr(state, name) for name in signals])
         warnings.look(rig, clock(record, 0) + law.times[law.k])
         errors.look(rig)
+        tell(float(law.times[law.k]), float(record.time[-1]))
     there, shown = numpy.isfinite(law.clock), numpy.array(shown)
     times = numpy.asarray(law.clock)[there]
     if law.farthest > BEHIND:
