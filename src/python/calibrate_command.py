@@ -19,6 +19,9 @@ from drill_rig_sim.lockstep import Refused
 from drill_rig_sim.score_command import BAD_INPUT, FAILED, GOOD
 
 BEYOND = 3.0  # of a record's noise, so much is more than noise
+ONE_SIDED = 0.01  # of the string's weights, by which all of them may be off to one side
+STRING_WEIGHTS = {"pick_up": "up", "slack_off": "down", "rotating": "around", "rotating_after_up": "around", "rotating_after_down": "around"}
+FEWEST_WEIGHTS = 3
 SI_UNITS = {"hook_load": "N", "torque": "N m", "stand_pipe_pressure": "Pa"}
 
 
@@ -31,7 +34,7 @@ def residuals(plan, found):
     return answered
 
 
-def table(plan, found, left):
+def table(plan, found, left, why=lambda values, number: ""):
     lines = ["%-28s %14s %14s" % ("parameter", "value", "95 % within")]
     lines += ["%-28s %14.6g %14s" % (named(p), value, "+- " + three_digits(width) if numpy.isfinite(width) else "unknown")
               for p, value, width in zip(plan.parameters, found.values, found.half_widths)]
@@ -43,8 +46,31 @@ def table(plan, found, left):
     lines += ["%s: has no effect on these data at its start value: not changed" % name for name in idle]
     lines += ["%s: these data do not determine it" % p.name for p, width in zip(plan.parameters, found.half_widths) if not width < told_by(p) and p.name not in idle]
     lines += unexplained(plan, left)
-    lost = int((~numpy.isfinite(found.predicted) & numpy.isfinite(plan.model.observed)).sum())
-    return lines + (["%d numbers could not be predicted: no equilibrium, or a scene out of range" % lost] if lost else []) + ["", "%d points of the parameters were tried" % found.runs]
+    return lines + one_sided(plan, found) + not_predicted(plan, found, why) + ["", "%d points of the parameters were tried" % found.runs]
+
+
+def not_predicted(plan, found, why):
+    """A line on numbers without a prediction, with the first and its reason: `why(values, number)`."""
+    lost = numpy.flatnonzero(~numpy.isfinite(found.predicted) & numpy.isfinite(plan.model.observed))
+    if not len(lost):
+        return []
+    inner = [value for value, parameter in zip(found.values, plan.parameters) if parameter.signal is None]
+    axis, places = plan.model.axis
+    unit = "s" if axis == "time" else "m"
+    return ["%d numbers could not be predicted (first: %s at %.2f %s): %s" % (len(lost), plan.model.groups[lost[0]], places[lost[0]], unit, why(inner, lost[0]))]
+
+
+def one_sided(plan, found):
+    """A line where all weights of the string in a table are off to the same side: no friction does that, for it raises some and lowers others."""
+    observed, off = plan.model.observed, plan.model.observed - found.predicted
+    of_string = plan.fitted & numpy.isfinite(off) & numpy.isin(plan.model.groups, list(STRING_WEIGHTS))
+    if of_string.sum() < FEWEST_WEIGHTS or len({STRING_WEIGHTS[group] for group in plan.model.groups[of_string]}) < 2:
+        return []
+    off, share = off[of_string], abs(off[of_string].mean()) / observed[of_string].mean()
+    if share < ONE_SIDED or numpy.unique(numpy.sign(off)).size > 1:
+        return []
+    return ["all %d weights of the string are %s than predicted, by %.1f kN in the mean: no friction explains that; are linear_mass (with tool joints), mud.density and the weight of the block right?" %
+            (len(off), "larger" if off[0] > 0.0 else "smaller", 1e-3 * abs(off.mean()))]
 
 
 def named(parameter):
@@ -119,7 +145,7 @@ def fit_and_tell(options, plan, problem, why):
     if options.plots:
         scatter = {signal: math.inf if numbers[0] is None else numbers[0] for signal, numbers in left.items()}
         draw(Prediction(plan.model, problem, Fitted(plan.parameters, found.covariance, found.student, scatter), found.values), options.plots, os.path.basename(options.fit))
-    print("\n".join(table(plan, found, left)))
+    print("\n".join(table(plan, found, left, why)))
 
 
 def apply_and_tell(options, plan, problem, fitted, why):
@@ -142,7 +168,7 @@ def apply_and_tell(options, plan, problem, fitted, why):
 def calibrate(options):
     fitted = read_fitted(options.apply) if options.apply else None
     plan = read_fit(options.fit, fitted)
-    print("".join("drill calibrate: %s\n" % line for line in plan.model.remarks), end="", file=sys.stderr)
+    print("".join("drill calibrate: %s\n" % line for line in plan.scene_remarks + plan.model.remarks), end="", file=sys.stderr)
     progress = Progress()
     evaluator = Evaluator(plan.model, options.workers, options.scheduler, progress)
     problem = Problem(plan.parameters, evaluator, plan.model.observed, plan.model.signals, plan.fitted, progress.expect,

@@ -167,6 +167,12 @@ std::string plain_scene(const std::string& scene_file)
   return write_scene(read_scene(scene_file));
 }
 
+/// What the reader of a scene's file has to report, a line each. Throws SceneError.
+std::vector<std::string> scene_remarks(const std::string& scene_file)
+{
+  return read_scene(scene_file).remarks;
+}
+
 /// Of a survey's file, as survey_format() says, by the rules of scenes: measured depths [m], inclinations and azimuths [rad], and
 /// where the first station lies, (east, north, up) from the rotary table [m], and remarks to be reported. Throws SceneError.
 py::tuple read_survey(const std::string& file, const std::string& columns, bool pass_over, bool plan)
@@ -198,6 +204,7 @@ void bind_functions(py::module_& module)
   module.def("static_loads", static_loads);
   module.def("empty_block", empty_block);
   module.def("plain_scene", plain_scene);
+  module.def("scene_remarks", scene_remarks);
   module.def("units", units);
   module.def("find_unit", find_unit_of);
   module.def("flag_name", flag_name_of);

@@ -2,8 +2,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Tables of weights for drill calibrate, as people keep them: read with the right numbers, or refused in one line by file, row and column."""
 import importlib.util
+import io
 import sys
 import unittest
+from contextlib import redirect_stderr, redirect_stdout
 
 import numpy
 from record_folder import FEET, KLBF, Folder
@@ -11,9 +13,11 @@ from record_folder import FEET, KLBF, Folder
 if importlib.util.find_spec("scipy") is None:
     print("skipped: python3-scipy is not installed")
     sys.exit(77)
+from drill_rig_sim import calibrate_command
 from drill_rig_sim.campaign.plan_text import PlanError, plan_of
 from drill_rig_sim.field.fit_plan import RecordError, weights_of
 from drill_rig_sim.field.models import places_of
+from drill_rig_sim.sim import static
 
 ROWS = ((600.0, 87.5, 83.0), (900.0, 104.25, 94.5), (1200.0, 122.0, 104.0))
 PLAIN = "MD,PU,SO\n" + "".join("%g,%g,%g\n" % row for row in ROWS)
@@ -130,6 +134,49 @@ class Weights(Folder):
                 self.weights(text, fit)
             self.assertIn(said, str(caught.exception))
             self.assertNotIn("\n", str(caught.exception))
+
+
+class Fits(Folder):
+    WELL = """name: well
+well: {stations: [[0, 0, 0], [300, 0, 0], [900, 40, 0], [1500, 40, 0]], sections: [{to: 1500, diameter: 0.2159, friction: 0.25}]}
+formation: [{to_tvd: 10000, drillability: 1.0e-8}]
+mud: {density: 1200}
+string:
+  - {name: bit, type: bit, length: 0.3, mass: 40, diameter: 0.2159}
+  - {name: collar, type: collar, joints: 6, joint_length: 9.4, outer_diameter: 0.165, inner_diameter: 0.0714, linear_mass: 136.0}
+  - {name: pipe, type: pipe, joints: fill, joint_length: 9.5, outer_diameter: 0.127, inner_diameter: 0.1086, linear_mass: 31.9, tool_joint_diameter: 0.168}
+start: {bit_depth: 1400, block_height: 20}
+instruments: {surface: {hook_load: {place: block}}}
+"""
+    PLAN = """scene: well.yaml
+table: {file: t.csv}
+held_out: 0.0
+parameters: [{name: friction, key: "well.sections[0].friction", start: 0.2, from: 0.0, to: 0.8}]
+"""
+
+    def fitted(self, mass, below=""):
+        """What a fit says to weights of pipe of 31.9 kg/m in a scene with pipe of another mass."""
+        file = self.file("well.yaml", self.WELL)
+        weights = [static(file, motion)["hook_load_gauge"] for motion in ("up", "down", "rotate")]
+        self.file("well.yaml", self.WELL.replace("31.9", mass))
+        self.file("t.csv", "depth (m),pick_up (N),slack_off (N),rotating (N)\n1400,%.6g,%.6g,%.6g\n" % tuple(weights) + below)
+        out, told = io.StringIO(), io.StringIO()
+        with redirect_stdout(out), redirect_stderr(told):
+            self.assertEqual(0, calibrate_command.main([self.file("fit.yaml", self.PLAN)]), told)
+        return out.getvalue(), told.getvalue()
+
+    def test_a_string_that_is_too_light(self):
+        """2.88 kg/m less over 1343.3 m of pipe, in mud of 1200 kg/m3: 32.1 kN along the hole, 27 kN of its vertical part."""
+        out, told = self.fitted("29.02")
+        self.assertRegex(out, r"all 3 weights of the string are larger than predicted, by 2\d\.\d kN in the mean: no friction explains that")
+        self.assertIn("string[2].linear_mass: 29.02 kg/m is 1.09 times the mass of its body", told)
+        out, told = self.fitted("31.9")
+        self.assertNotIn("all 3 weights", out)
+        self.assertEqual("", told)
+
+    def test_a_depth_below_the_hole(self):
+        out, _ = self.fitted("31.9", "1600,900000,,\n")
+        self.assertRegex(out, r"1 numbers could not be predicted \(first: pick_up at 1600.00 m\): .*start.bit_depth: 1600 m is below the hole's bottom, allowed: up to 1500 m")
 
 
 if __name__ == "__main__":

@@ -10,6 +10,7 @@ from drill_rig_sim.field.columns import LAYOUT_KEYS, QUALITY, Column, check_unit
 from drill_rig_sim.field.fit import Parameter
 from drill_rig_sim.field.heading import Wanted
 from drill_rig_sim.field.models import MOTIONS, ModelError, Period, RecordModel, TableModel, scene_and_survey
+from drill_rig_sim.field.native import of_module
 from drill_rig_sim.field.quality import take_flags
 from drill_rig_sim.field.record import COMPARED, RecordError, prefixed, read_record, read_table
 from drill_rig_sim.field.signal_reader import values_of
@@ -18,6 +19,7 @@ from drill_rig_sim.field.start import FROM
 from drill_rig_sim.field.table import bare
 from drill_rig_sim.field.weight_checks import leave_out_zeros, unlikely
 from drill_rig_sim.field.window import limits, stretches
+from drill_rig_sim.lockstep import Refused
 
 OF_RECORDS = ("columns", "signals", "from", "to", "leave_out", "start")
 KEYS = ("scene", "record", "table", "parameters", "held_out", *OF_RECORDS)
@@ -26,10 +28,10 @@ PARAMETER_KEYS = ("name", "key", "keys", "times", "signal", "start", "from", "to
 
 
 class FitPlan:
-    """`model`, `parameters`, and which of the model's numbers are `fitted` and which `held_out`."""
+    """`model`, `parameters`, and which of the model's numbers are `fitted` and which `held_out`. `scene_remarks`: what the scene's reader reports, a line each."""
 
-    def __init__(self, model, parameters, fitted, held_out):
-        self.model, self.parameters, self.fitted, self.held_out = model, parameters, fitted, held_out
+    def __init__(self, model, parameters, fitted, held_out, scene_remarks=()):
+        self.model, self.parameters, self.fitted, self.held_out, self.scene_remarks = model, parameters, fitted, held_out, list(scene_remarks)
 
 
 def read_fit(file, fitted=None):
@@ -53,7 +55,15 @@ def read_fit(file, fitted=None):
     held_out = model.place >= 1.0 - held if held else numpy.zeros(len(model.place), bool)
     if not (~held_out & numpy.isfinite(model.observed)).any():
         raise PlanError("%s: from, to, leave_out and held_out leave no number to compare" % file)
-    return FitPlan(model, parameters, ~held_out, held_out)
+    return FitPlan(model, parameters, ~held_out, held_out, remarks_of_scene(scene_file))
+
+
+def remarks_of_scene(file):
+    """What the scene's reader reports; of a scene that is refused nothing, for the fit says why."""
+    try:
+        return of_module().scene_remarks(file)
+    except Refused:
+        return []
 
 
 def model_of(entries, base, scene, survey, parameters, signals):

@@ -208,10 +208,12 @@ class Evaluator:
             self.pool = ProcessPoolExecutor(self.workers, multiprocessing.get_context("spawn"))
         return self.pool.map(self.function, tasks)
 
-    def why(self, point):
-        """Why a point's first task cannot be played."""
+    def why(self, point, number=None):
+        """Why a point's first task cannot be played, or of a table that of a number that was observed."""
+        is_record = isinstance(self.model, RecordModel)
+        place = 0 if number is None or is_record else int(numpy.searchsorted(self.model.weighed, number))
         try:
-            (played if isinstance(self.model, RecordModel) else hung)(self.model.tasks([point])[0])
+            (played if is_record else hung)(self.model.tasks([point])[place])
         except Refused as error:
             return one_line(error, self.model.blueprint)
         return "no equilibrium"
