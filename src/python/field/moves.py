@@ -10,6 +10,7 @@ TURNING = 2.0        # slowest rotation that frees a string of friction along th
 STILL = 0.5          # fastest rotation of a string that counts as not turned [rad/s]
 EVEN = 0.15          # share by which the speed of a steady move may differ
 TIMES = 3.0, 0.6     # deviations of the time of a row that are no change of speed; largest such deviation, of times rounded to 2 s [s]
+STRAIGHT = 1.0       # by which the block of such rows may be early or late on its straight line [s]
 UNEVEN = 0.6         # share by which the speed may differ at most, however uncertain the times are
 OFF_BOTTOM = 2.0     # least height of the bit above bottom [m]
 SPIKE = 5            # rows in a row of which the middle one counts as the depth of the hole
@@ -206,6 +207,8 @@ def steady_part(record, kind, speeds, begin, end, most):
         rows = even(rows, numpy.abs(record.at("top_drive_speed", record.time[rows[1:]])), EVEN)
     elif not kind.startswith("slips") and len(rows) > 1:
         rows = even(rows, speeds[rows[0]:rows[-1]], most[rows[0] - begin:rows[-1] - begin])
+        if most.max() > EVEN and len(rows) > LEAST_ROWS:  # the first and the last interval may hold a start and a stop
+            rows = next((part for part in (rows, rows[:-1], rows[1:], rows[1:-1]) if is_straight(record.time[part], speeds[part[:-1]])), rows[:0])
         rows = rows[rows < end]  # the load of the last row may be that of the block at rest
     elif len(rows):  # what accelerates the empty block is little, and none in the mean
         rows = rows[measured[rows]]
@@ -234,6 +237,13 @@ def even(rows, speeds, most):
     bounds = numpy.flatnonzero(numpy.concatenate(([True], numpy.abs(speeds - usual) > most * abs(usual), [True])))
     longest = int(numpy.diff(bounds).argmax())
     return rows[bounds[longest]:bounds[longest + 1]]
+
+
+def is_straight(times, speeds):
+    """Whether a block with these speeds between the times is never far from a straight line: the errors of times do not add up, as changes of the speed do."""
+    heights = numpy.concatenate(([0.0], numpy.cumsum(speeds * numpy.diff(times))))
+    line = numpy.polyfit(times - times[0], heights, 1)
+    return bool(numpy.abs(heights - numpy.polyval(line, times - times[0])).max() <= STRAIGHT * abs(line[0]))
 
 
 def turns_of(record, rows):

@@ -1,0 +1,53 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""What drill replay says before and while it plays a record: its progress, and connections that cannot be found."""
+import io
+import os
+import unittest
+from contextlib import redirect_stderr
+
+import numpy
+from drill_rig_sim import replay_command
+from drill_rig_sim.field.record import RecordError, read_record
+from drill_rig_sim.field.replay import check, play
+from drill_rig_sim.sim import Simulator
+from in_folder import InFolder
+
+QUICK = os.path.join(os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)))), "config/scenes/quick.yaml")
+
+
+class Said(InFolder):
+    def test_progress_is_shown_on_a_terminal(self):
+        class Terminal(io.StringIO):
+            def isatty(self):
+                return True
+        for stream, said in ((Terminal(), "drill replay: 100 of 400 s played, 11 s, about 33 s left\n"), (io.StringIO(), "")):
+            progress = replay_command.Progress()
+            progress.began = progress.told = progress.told - 11.0
+            with redirect_stderr(stream):
+                progress(100.0, 400.0)
+                progress(101.0, 400.0)
+            self.assertEqual(said, stream.getvalue())
+        seen = []
+        play(Simulator(QUICK), read_record(self.file("still.csv", "time,reading_block_height,reading_hook_load\n0,20,2e5\n2,20,2e5\n")), tell=lambda done, whole: seen.append((done, whole)))
+        self.assertEqual(sorted(seen), seen)
+        self.assertAlmostEqual(seen[-1][1], seen[-1][0], delta=0.2)
+
+    def test_connections_without_a_bit_depth_are_refused(self):
+        """The block pulls a stand, comes back empty and pulls the next one."""
+        columns = self.file("m.yaml", "time: {column: t, unit: s}\nblock_height: {column: b, unit: m}\nhook_load: {column: h, unit: kN}\n")
+        moves = ((100, 0.28, 900.0), (30, 0.0, 200.0), (40, -0.7, 200.0), (100, 0.28, 900.0))
+        rows = [(speed, load) for seconds, speed, load in moves for _ in range(seconds)]
+        heights = numpy.concatenate(([2.0], 2.0 + numpy.cumsum([speed for speed, _ in rows])))
+        for empty, refused in ((200.0, True), (600.0, False)):
+            text = "".join("%d,%.3f,%g\n" % (k, heights[k], empty if load == 200.0 else load) for k, (_, load) in enumerate(rows))
+            record = read_record(self.file("pulled.csv", "t,b,h\n" + text), columns)
+            if refused:
+                with self.assertRaisesRegex(RecordError, r"has no bit_depth, and the block moves by 2[78]\.. m with less than half of the usual hook load \(first: at 13"):
+                    check(record)
+            else:
+                check(record)
+
+
+if __name__ == "__main__":
+    unittest.main()
