@@ -195,6 +195,17 @@ class Made(unittest.TestCase):
         self.assertEqual(["pick_up"], [move[0] for move in moves], told)
         self.assertIn("1 moves are left out: in a gap before them the block moved by an unknown distance", told)
 
+    def test_pipe_that_is_taken_away_in_a_gap(self):
+        """In 200 s without rows the bit comes up by 6 m, and a stand is taken away."""
+        def cut(rows):
+            return rows[:100] + [["%g" % (float(row[0]) + 200.0), "%.9g" % (float(row[1]) - 14.0), *row[2:5], "%.9g" % (float(row[5]) - 6.0), row[6]] for row in rows[100:]]
+        moves, told = self.changed([self.STOP, self.UP, self.STOP, self.STOP, self.UP, self.STOP, self.TURN], cut)
+        self.assertEqual(["pick_up", "pick_up", "rotating_after_up"], [move[0] for move in moves], told)
+        self.assertIn("a gap of 201 s", told)
+        moves, told = self.changed([self.STOP, self.UP, self.STOP, self.STOP, self.UP, self.STOP, self.TURN], lambda rows: [[*row[:5], "%.9g" % (float(row[5]) - 6.0 * (k >= 100)), row[6]]
+                                                                                                                     for k, row in enumerate(rows)])
+        self.assertEqual(["pick_up", "pick_up", "rotating_after_up"], [move[0] for move in moves], told)  # a slip of the depth tracking
+
     def test_the_last_row_of_a_move_is_at_rest(self):
         """A row may hold where the block stops and the load that it then has."""
         moves, told = self.found([self.STOP, self.UP, (20, 0.0, 0.0, 0.0, 8e5), self.DOWN, self.STOP])

@@ -64,6 +64,17 @@ class Dates(Folder):
         self.right(self.read("\n".join([lines[0], *lines[:0:-1]]) + "\n"), ["its rows begin with the last one in time and are read in the order of time"])
         self.refused("the time goes back", "\n".join([lines[0], *lines[:1:-1], lines[1], lines[4]]) + "\n")
 
+    def test_clocks_that_are_changed(self):
+        """In spring an hour is missing, in autumn one comes again; of a gap of another length, and of times without a date, nothing is said."""
+        def of(first, second, form="2024-03-10 %s"):
+            rows = [form % ("0%d:59:%02d" % (first, k)) for k in (40, 45, 50, 55)] + [form % ("0%d:00:%02d" % (second, k)) for k in (0, 5, 10, 15)]
+            return ("T,Hook Load (klbf),Block Height (ft)\n" + "".join("%s,200,30\n" % row for row in rows)).replace("T,", "Time,")
+        said = ", the hour by which clocks are put forward; are the times those of one zone?"
+        self.assertIn("a gap of 3605 s from 15 s on" + said, "\n".join(self.read(of(1, 3)).remarks))
+        self.assertNotIn("clocks", "\n".join(self.read(of(1, 4)).remarks))
+        self.refused("needed: times with their zone, such as 01:30:00-05:00; this is the hour by which clocks are put back", of(1, 1))
+        self.refused("needed: time that increases, dates where it goes over midnight", of(3, 1))
+
     def test_months_in_other_languages(self):
         """Short and long, with accents and points; of Finnish, whose names begin as those of other months, none."""
         names = {1: "Januar janvier enero gennaio jan.", 2: "Februar février févr. fev febbraio", 3: "März Mär. mars marzo março maart", 4: "avril avr. abril abr", 5: "Mai mayo maggio mei mai.",

@@ -8,6 +8,7 @@ from contextlib import redirect_stderr
 
 import numpy
 from drill_rig_sim import replay_command
+from drill_rig_sim.field.pipe import standstills
 from drill_rig_sim.field.record import RecordError, read_record
 from drill_rig_sim.field.replay import check, play
 from drill_rig_sim.sim import Simulator
@@ -47,6 +48,15 @@ class Said(InFolder):
                     check(record)
             else:
                 check(record)
+
+    def test_pipe_that_is_moved_in_a_gap_is_refused(self):
+        columns = self.file("m.yaml", "time: {column: t, unit: s}\nblock_height: {column: b, unit: m}\nhook_load: {column: h, unit: kN}\nbit_depth: {column: d, unit: m}\n")
+        rows = [(5 * k + 200 * (k > 20), 20.0 - 8.0 * (k > 20), 900.0, 1000.0 - 6.0 * (k > 20)) for k in range(40)]
+        text = "t,b,h,d\n" + "".join("%g,%g,%g,%g\n" % row for row in rows)
+        record = read_record(self.file("gap.csv", text), columns)
+        with self.assertRaisesRegex(RecordError, r"at 305.0 s bit_depth jumps by -6.00 m, in a gap of 205 s in which pipe was moved, added or removed; needed: a part of the record before or after it"):
+            standstills(record)
+        self.assertEqual([], standstills(record, in_parts=True))
 
 
 if __name__ == "__main__":

@@ -75,7 +75,7 @@ def moves_of(record, passed=None):
     check_scale(record)
     height = record.at("block_height", record.time)
     speeds = numpy.diff(Course(record.time, height, half_band(height, height)).heights) / numpy.diff(record.time)
-    stands = standstills(record)
+    stands = standstills(record, in_parts=True)
     kinds = kinds_of(record, speeds, stands)
     if passed is not None:
         kinds[passed[1:] | passed[:-1]] = ""

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Where in a record pipe was added or taken away: the bit stands while the block goes its own way."""
 import numpy
-from drill_rig_sim.field.record import RecordError
+from drill_rig_sim.field.record import RecordError, long_step
 
 AWAY = 0.5    # so much that bit and block together are off where they were: pipe was added or taken away, or the block was moved without the string [m]
 DRIFTS = 2.0 * AWAY  # below that bit and block creep and drift apart: no pipe is so short [m]
@@ -38,12 +38,13 @@ class Slip:
         self.row, self.length = row, length
 
 
-def standstills(record):
-    """All of a record, in their order; none where it has not both bit_depth and block_height. RecordError where the bit jumps."""
-    return [found for found in pipe_events(record) if isinstance(found, Standstill)]
+def standstills(record, in_parts=False):
+    """All of a record, in their order; none where it has not both bit_depth and block_height. RecordError where the bit jumps. `in_parts`: what was done in a gap need
+    not be known."""
+    return [found for found in pipe_events(record, in_parts) if isinstance(found, Standstill)]
 
 
-def pipe_events(record):
+def pipe_events(record, in_parts=False):
     """Standstills and Slips of a record, in their order."""
     if "bit_depth" not in record or "block_height" not in record:
         return []
@@ -57,8 +58,14 @@ def pipe_events(record):
         begin, end = k - run(here[:k][::-1]), k + run(here[k:]) - 1
         slip = begin == k and slipped(record, bit, block, k)
         if begin == k and not slip and abs(bit[k] - bit[k - 1]) > AWAY:
-            raise RecordError("%s: at %.1f s bit_depth jumps by %.2f m; needed: constant bit_depth while pipe is added or removed" %
-                              (record.name, clock(record, k), bit[k] - bit[k - 1]))
+            gap = record.time[k] - record.time[k - 1]
+            in_gap = gap > long_step(record.time)
+            if not (in_parts and in_gap):
+                raise RecordError("%s: at %.1f s bit_depth jumps by %.2f m%s" % (
+                    record.name, clock(record, k), bit[k] - bit[k - 1], ", in a gap of %.0f s in which pipe was moved, added or removed; needed: a part of the record before or after it" % gap
+                    if in_gap else "; needed: constant bit_depth while pipe is added or removed"))
+            k, level = k + 1, both[k]
+            continue
         begin = min(begin, k - 1)
         inside = numpy.arange(begin, end + 1)
         if slip or numpy.ptp(both[inside]) < DRIFTS:

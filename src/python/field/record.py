@@ -27,6 +27,7 @@ FASTEST_BLOCK = 6.0  # of a record, between two rows; twice what drawworks do, b
 FAR_LOAD, MOST_FAR = 4.0, 3  # times as large as the largest of all other hook loads; rows
 SPACINGS = (1e-3, 120.0)  # of a record's rows [s]; others are reported
 NOT_READ = r"\b%s\b.* left out: |no column is recognised as [^;]*\b%s\b"  # in a remark
+CLOCKS = 3600.0  # by which clocks are changed in spring and autumn [s]
 LONG_GAP, SHORTEST_GAP = 10.0, 5.0  # of rows' distance, and s, from which on a gap is reported
 
 
@@ -80,8 +81,14 @@ def check_order(part):
     back = numpy.flatnonzero(numpy.diff(time) < 0.0)
     if len(back):
         after, before = (written(time[k]) if part.dated else "%.9g s" % time[k] for k in (back[0] + 1, back[0]))
-        raise RecordError("%s: the time goes back to %s (the row before: %s); needed: time that increases, dates where it goes over midnight" %
-                          (part.place(back[0] + 1), after, before))
+        by_clock = part.dated and is_clock_change(time[back[0]] - time[back[0] + 1], -float(numpy.median(numpy.diff(time))))
+        needed = "times with their zone, such as 01:30:00-05:00; this is the hour by which clocks are put back" if by_clock else "time that increases, dates where it goes over midnight"
+        raise RecordError("%s: the time goes back to %s (the row before: %s); needed: %s" % (part.place(back[0] + 1), after, before, needed))
+
+
+def is_clock_change(step, spacing):
+    """Whether a step of the time is the hour by which clocks are changed, and a row."""
+    return abs(step - spacing - CLOCKS) <= abs(spacing)
 
 
 def joined(parts):
@@ -172,7 +179,8 @@ def remarks_of(record):
         lines.append("its rows are %.3g s apart; check the unit of the time" % spacing)
     longest, begin = longest_step(record.time)
     if longest > long_step(record.time):
-        lines.append("a gap of %.4g s from %.6g s on" % (longest, begin))
+        by_clock = record.begin is not None and is_clock_change(longest, spacing)
+        lines.append("a gap of %.4g s from %.6g s on%s" % (longest, begin, ", the hour by which clocks are put forward; are the times those of one zone?" if by_clock else ""))
     lines += ["%s is %.4g times as large from %.6g s on, as if its unit changed from %s to %s; check its values before that time and after it" %
               (signal, ratio, record.time[row], before, after) for signal, row, ratio, before, after in unit_changes(record.time, record.signals)]
     lines += below_bottom(record) + unlikely(record) + fast_block(record) + far_loads(record) + contradictions(record)
