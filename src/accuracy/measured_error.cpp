@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/accuracy/measured_error.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace drill_rig_sim
@@ -37,23 +36,16 @@ double MeasuredError::absolute_error(Output output) const noexcept
   return error_over_difference_ * differences_[static_cast<std::size_t>(output)].absolute();
 }
 
-double MeasuredError::scale(Output output) const noexcept
-{
-  const double own = differences_[static_cast<std::size_t>(output)].scale();
-  return output == Output::wob
-             ? std::max(own, weight_of_hook_load * differences_[static_cast<std::size_t>(Output::hook_load)].level())
-             : own;
-}
-
 double MeasuredError::error(Output output) const noexcept
 {
-  return absolute_error(output) / scale(output);
+  return absolute_error(output) / differences_[static_cast<std::size_t>(output)].scale();
 }
 
 StatisticDifferences MeasuredError::statistics(Output output) const noexcept
 {
-  StatisticDifferences off = differences_[static_cast<std::size_t>(output)].statistics();
-  const double share = error_over_difference_ / scale(output);
+  const OutputDifference& difference = differences_[static_cast<std::size_t>(output)];
+  StatisticDifferences off = difference.statistics();
+  const double share = error_over_difference_ / difference.scale();
   off.mean *= share;
   off.deviation *= share;
   off.extremes *= share;

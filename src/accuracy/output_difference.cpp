@@ -57,7 +57,7 @@ StatisticDifferences OutputDifference::statistics() const noexcept
 double OutputDifference::scale() const noexcept
 {
   const double resolved = traits_of(output_).resolved;
-  return std::max({most_ - least_, share_of_level * level(), resolved});
+  return std::max({most_ - least_, share_of_level * (time_ > 0.0 ? sum_ / time_ : 0.0), resolved});
 }
 
 }  // namespace drill_rig_sim

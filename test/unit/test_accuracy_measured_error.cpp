@@ -79,12 +79,13 @@ TEST(MeasuredError, isOverTheResolutionWhereAnOutputHardlyMoves)
   EXPECT_NEAR(measured.error(Output::bit_speed), 0.01 / 0.1, 1e-9);
 }
 
-// A light touch of bottom: 90 N of weight are apart.
-TEST(MeasuredError, ofTheWeightIsOverAShareOfTheHookLoad)
+// A steady weight of 6 kN below a hook load of 500 kN: 180 N are apart.
+TEST(MeasuredError, ofALightWeightIsOverItsOwnRange)
 {
   MeasuredError measured;
-  for (int k = 0; k < 400; ++k) add(measured, {5e5, 0.0, 90.0}, {5e5});
-  EXPECT_NEAR(measured.error(Output::wob), 90.0 / (weight_of_hook_load * 5e5), 1e-6);
+  add(measured, {5e5}, {5e5});
+  for (int k = 0; k < 400; ++k) add(measured, {5e5, 0.0, 6000.0}, {5e5, 0.0, 6180.0});
+  EXPECT_NEAR(measured.error(Output::wob), 180.0 / 6000.0, 1e-6);
 }
 
 // The drive has begun to turn, the bit follows a second later.

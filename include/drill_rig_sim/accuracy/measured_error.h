@@ -37,15 +37,11 @@ constexpr CompanionTraits traits_of(CompanionKind kind) noexcept
 /// How far the measurement is behind the run [s], so that run and companion need not wait for each other at every frame.
 constexpr double measured_after = 0.1;
 
-/// What the weight on bit ranges over at least, as a share of the hook load: an assumption. It is read as a difference of hook
-/// loads, and ranged over more than 1.9 % of them in each of 21 random scenes with the bit on bottom.
-constexpr double weight_of_hook_load = 0.02;
-
 /// Errors of a run's outputs, measured beside a companion: over the last 3 s (difference_window), relative to the output's range
 /// so far, a tenth of its level, or an instrument's resolution, whichever is largest (OutputDifference::scale). The range of the
 /// whole run is known only at its end. At first it is larger than the range so far, and the error would be too large. So the
-/// speed that the top drive has reached counts in the range of the bit speed, which follows later, and the weight on bit ranges
-/// over weight_of_hook_load at least.
+/// speed that the top drive has reached counts in the range of the bit speed, which follows later. Nothing tells how large the
+/// weight on bit will become.
 ///
 /// The outputs of a frame are compared measured_after later, or when `capacity` frames wait: then the same frames are compared at
 /// the same time wherever the companion is computed. Bounded, allocates nothing.
@@ -96,7 +92,6 @@ public:
   }
 
 private:
-  double scale(Output output) const noexcept;
   static constexpr double rounding = 1e-9;  // of sums of frames [s]
   struct Frame
   {

@@ -47,8 +47,6 @@ public:
   /// What the output has ranged over so far, a tenth of its mean magnitude, or the resolution of an instrument, whichever is
   /// most; in its unit.
   double scale() const noexcept;
-  /// Mean magnitude of the second model's so far, in the output's unit.
-  double level() const noexcept { return time_ > 0.0 ? sum_ / time_ : 0.0; }
 
   template <class V>
   void visit(V& v)
