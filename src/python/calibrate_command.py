@@ -5,7 +5,6 @@ import argparse
 import math
 import os
 import sys
-import time
 
 import numpy
 from drill_rig_sim.calibrate_prediction import UNITS, draw, lines, remarks
@@ -14,6 +13,7 @@ from drill_rig_sim.field.fit_plan import ModelError, PlanError, RecordError, rea
 from drill_rig_sim.field.fitted import Fitted, parameter_as_json, read_fitted
 from drill_rig_sim.field.models import Evaluator, RecordModel
 from drill_rig_sim.field.prediction import Prediction
+from drill_rig_sim.field.progress import Pace
 from drill_rig_sim.json_file import write_json
 from drill_rig_sim.lockstep import Refused
 from drill_rig_sim.score_command import BAD_INPUT, FAILED, GOOD
@@ -100,21 +100,20 @@ def told_by(parameter):
     return 0.5 * (parameter.high - parameter.low)
 
 
-class Progress:
+class Progress(Pace):
     """A line each ten seconds: a long record takes minutes."""
 
     def __init__(self):
-        self.began = self.told = time.monotonic()
+        super().__init__()
         self.expected = 0
 
     def expect(self, _, points):
         self.expected = points
 
     def __call__(self, points):
-        now = time.monotonic()
-        if now - self.told > 10.0 and points > 0.0:
-            self.told, left = now, (now - self.began) * max(self.expected - points, 0.0) / points
-            print("drill calibrate: %.3g of about %d points tried, %.0f s, about %.0f s left" % (points, max(self.expected, points), now - self.began, left), file=sys.stderr, flush=True)
+        times = self.due(points, self.expected)
+        if times:
+            print("drill calibrate: %.3g of about %d points tried, %s" % (points, max(self.expected, points), times), file=sys.stderr, flush=True)
 
 
 def as_json(plan, found, left):

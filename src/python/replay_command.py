@@ -4,9 +4,9 @@ command line."""
 import argparse
 import os
 import sys
-import time
 
 from drill_rig_sim.field.models import ModelError, scene_and_survey
+from drill_rig_sim.field.progress import Pace
 from drill_rig_sim.field.record import COMPARED, RecordError, read_record
 from drill_rig_sim.field.replay import check, play
 from drill_rig_sim.field.start import FROM, on_hook, simulator_of, start_keys
@@ -20,17 +20,13 @@ from drill_rig_sim.units import QUANTITIES, SI, SYSTEMS, Units
 NAMES = {"hook_load": "hook load", "torque": "torque", "stand_pipe_pressure": "stand pipe"}
 
 
-class Progress:
+class Progress(Pace):
     """A line each ten seconds on a terminal: a long record takes minutes."""
 
-    def __init__(self):
-        self.began = self.told = time.monotonic()
-
     def __call__(self, done, whole):
-        now = time.monotonic()
-        if now - self.told > 10.0 and done > 0.0 and sys.stderr.isatty():
-            self.told, left = now, (now - self.began) * max(whole - done, 0.0) / done
-            print("drill replay: %.0f of %.0f s played, %.0f s, about %.0f s left" % (done, whole, now - self.began, left), file=sys.stderr, flush=True)
+        times = self.due(done, whole)
+        if times and sys.stderr.isatty():
+            print("drill replay: %.0f of %.0f s played, %s" % (done, whole, times), file=sys.stderr, flush=True)
 
 
 def table(replay, units=SI):

@@ -67,8 +67,7 @@ std::string nominal_mass(const PartSpec& part, std::size_t place)
   if (part.linear_mass < 1.01 * body || part.linear_mass > with_joints * body) return "";
   return line(
       "string[%zu].linear_mass: %g kg/m is %.2f times the mass of its body, with tool joints pipe has 1.12 to 1.25 times that; "
-      "is it "
-      "the nominal weight, without them?",
+      "is it the nominal weight, without them?",
       place, part.linear_mass, part.linear_mass / body);
 }
 
