@@ -91,17 +91,21 @@ using Row = Pair[3];  // six numbers of both ends
 constexpr double kZeros[36] = {};
 
 /// Where a row's blocks lie; what is not there is zero.
-struct Places
+template <class Number>
+struct PlacesOf
 {
   const double *lower, *w_before, *y_before;
-  double *diagonal, *upper, *right;
+  Number *diagonal, *upper;
+  double* right;
 };
+using Places = PlacesOf<double>;
 
-HWY_INLINE Places places(const BlockRows& rows, SweepRow at, double* right)
+template <class Number>
+HWY_INLINE PlacesOf<Number> places(const BlockRowsOf<Number>& rows, SweepRow at, double* right)
 {
   const bool first = at.row - at.step < 0 || at.row - at.step >= rows.count;
   const bool down = at.step > 0;  // the matrix
-  Places p;
+  PlacesOf<Number> p;
   p.lower = first ? kZeros : down ? rows.lower + 36 * (at.row - 1) : rows.upper + 36 * at.row;
   p.w_before = first ? kZeros : down ? rows.upper + 36 * (at.row - 1) : rows.lower + 36 * at.row;
   p.y_before = first ? kZeros : right + 6 * (at.row - at.step);
@@ -345,11 +349,11 @@ bool eliminate(const BlockRows& rows, SweepRow a, SweepRow b, int count, double*
   return hn::AllTrue(Wide(), sound);
 }
 
-void substitute_inwards(const BlockRows& rows, SweepRow a, SweepRow b, int count, double* right) noexcept
+void substitute_inwards(const SolvedRows& rows, SweepRow a, SweepRow b, int count, double* right) noexcept
 {
   for (int k = 0; k < count; ++k, a.row += a.step, b.row += b.step)
   {
-    const Places at = places(rows, a, right), bt = places(rows, b, right);
+    const auto at = places(rows, a, right), bt = places(rows, b, right);
     Row y, product;
     load_row(at.y_before, bt.y_before, y);
     multiply(at.lower, bt.lower, y, product);
@@ -359,7 +363,7 @@ void substitute_inwards(const BlockRows& rows, SweepRow a, SweepRow b, int count
   }
 }
 
-void substitute_outwards(const BlockRows& rows, SweepRow a, SweepRow b, int count, double* right) noexcept
+void substitute_outwards(const SolvedRows& rows, SweepRow a, SweepRow b, int count, double* right) noexcept
 {
   const auto w_of = [&rows](SweepRow at) { return at.step < 0 ? rows.upper + 36 * at.row : rows.lower + 36 * (at.row - 1); };
   Row x;

@@ -7,11 +7,14 @@
 namespace drill_rig_sim
 {
 /// Blocks of a BlockTridiagonal, laid out as there.
-struct BlockRows
+template <class Number>
+struct BlockRowsOf
 {
   int count;
-  double *diagonal, *upper, *lower;
+  Number *diagonal, *upper, *lower;
 };
+using BlockRows = BlockRowsOf<double>;
+using SolvedRows = BlockRowsOf<const double>;  ///< of an eliminated matrix, for further right sides
 
 /// A block row that a sweep over the matrix has come to, and the way it goes: +1 or -1.
 struct SweepRow
@@ -29,9 +32,9 @@ struct BlockSweeps
   /// y = D'^-1 (b - L y of row i - s). False at a pivot that vanishes or is not finite.
   bool (*eliminate)(const BlockRows& rows, SweepRow a, SweepRow b, int count, double* right) noexcept;
   /// Inwards, for another right side: its y.
-  void (*substitute_inwards)(const BlockRows& rows, SweepRow a, SweepRow b, int count, double* right) noexcept;
+  void (*substitute_inwards)(const SolvedRows& rows, SweepRow a, SweepRow b, int count, double* right) noexcept;
   /// Outwards, by steps s: x = y - W x of row i - s.
-  void (*substitute_outwards)(const BlockRows& rows, SweepRow a, SweepRow b, int count, double* right) noexcept;
+  void (*substitute_outwards)(const SolvedRows& rows, SweepRow a, SweepRow b, int count, double* right) noexcept;
 };
 
 extern const BlockSweeps scalar_sweeps;

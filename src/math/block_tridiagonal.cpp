@@ -14,12 +14,14 @@ namespace
 constexpr int kSix = 36, kSmall = 4;  // numbers of a block
 
 /// Of a row's blocks the one to the row before, and that to the next, for a sweep that goes this way.
-double* to_last(const BlockRows& rows, SweepRow at, int size) noexcept
+template <class Number>
+Number* to_last(const BlockRowsOf<Number>& rows, SweepRow at, int size) noexcept
 {
   return at.step > 0 ? rows.lower + size * (at.row - 1) : rows.upper + size * at.row;
 }
 
-double* to_next(const BlockRows& rows, SweepRow at, int size) noexcept
+template <class Number>
+Number* to_next(const BlockRowsOf<Number>& rows, SweepRow at, int size) noexcept
 {
   return at.step > 0 ? rows.upper + size * at.row : rows.lower + size * (at.row - 1);
 }
@@ -29,7 +31,8 @@ SweepRow previous(SweepRow at) noexcept
   return {at.row - at.step, at.step};
 }
 
-bool is_first(const BlockRows& rows, SweepRow at) noexcept
+template <class Number>
+bool is_first(const BlockRowsOf<Number>& rows, SweepRow at) noexcept
 {
   return previous(at).row < 0 || previous(at).row >= rows.count;
 }
@@ -66,7 +69,7 @@ bool eliminate_rows(const BlockRows& rows, SweepRow a, SweepRow b, int count, do
   return done;
 }
 
-void substitute_rows_inwards(const BlockRows& rows, SweepRow a, SweepRow b, int count, double* right) noexcept
+void substitute_rows_inwards(const SolvedRows& rows, SweepRow a, SweepRow b, int count, double* right) noexcept
 {
   each(a, b, count,
        [&](SweepRow at)
@@ -77,7 +80,7 @@ void substitute_rows_inwards(const BlockRows& rows, SweepRow a, SweepRow b, int 
        });
 }
 
-void substitute_rows_outwards(const BlockRows& rows, SweepRow a, SweepRow b, int count, double* right) noexcept
+void substitute_rows_outwards(const SolvedRows& rows, SweepRow a, SweepRow b, int count, double* right) noexcept
 {
   each(a, b, count,
        [&](SweepRow at)
@@ -139,8 +142,8 @@ inline void subtract_two(SmallRow& before, const double* w, double* b) noexcept
 /// A function of two sweeps and a number of small rows, which goes on in both in turns, so that they wait together: general(at)
 /// for the first and the last row, which may be beside rows of six, two(at, before) for the others. `right`: right side of
 /// `rows`.
-template <class General, class Two>
-auto small_in_turns(const BlockRows& rows, const double* right, General general, Two two) noexcept
+template <class Number, class General, class Two>
+auto small_in_turns(const BlockRowsOf<Number>& rows, const double* right, General general, Two two) noexcept
 {
   return [=](SweepRow a, SweepRow b, int count) noexcept
   {
@@ -239,17 +242,24 @@ void BlockTridiagonal::sweep(SweepRow first, int left_first, SweepRow second, in
   }
 }
 
-[[gnu::always_inline]] inline BlockRows BlockTridiagonal::six() const noexcept
+[[gnu::always_inline]] inline BlockRows BlockTridiagonal::six() noexcept
 {
-  // written through by those alone that are not const
-  const auto data = [](const std::vector<double>& blocks) { return const_cast<double*>(blocks.data()); };
-  return {n_, data(diagonal_), data(upper_), data(lower_)};
+  return {n_, diagonal_.data(), upper_.data(), lower_.data()};
 }
 
-[[gnu::always_inline]] inline BlockRows BlockTridiagonal::twos() const noexcept
+[[gnu::always_inline]] inline SolvedRows BlockTridiagonal::six() const noexcept
 {
-  const auto data = [](const std::vector<double>& blocks) { return const_cast<double*>(blocks.data()); };
-  return {n_, data(small_diagonal_), data(small_upper_), data(small_lower_)};
+  return {n_, diagonal_.data(), upper_.data(), lower_.data()};
+}
+
+[[gnu::always_inline]] inline BlockRows BlockTridiagonal::twos() noexcept
+{
+  return {n_, small_diagonal_.data(), small_upper_.data(), small_lower_.data()};
+}
+
+[[gnu::always_inline]] inline SolvedRows BlockTridiagonal::twos() const noexcept
+{
+  return {n_, small_diagonal_.data(), small_upper_.data(), small_lower_.data()};
 }
 
 /// D -= L W of the row before, in a small row.

@@ -9,7 +9,8 @@
 
 namespace drill_rig_sim
 {
-struct BlockRows;
+template <class Number>
+struct BlockRowsOf;
 struct BlockSweeps;
 struct SweepRow;
 
@@ -62,8 +63,10 @@ private:
   bool eliminate_middle(double* b) noexcept;
   void substitute_middle(double* b) const noexcept;
   void substitute_outwards(double* b) const noexcept;
-  BlockRows six() const noexcept;
-  BlockRows twos() const noexcept;
+  BlockRowsOf<double> six() noexcept;
+  BlockRowsOf<const double> six() const noexcept;
+  BlockRowsOf<double> twos() noexcept;
+  BlockRowsOf<const double> twos() const noexcept;
   bool both_small(int i) const noexcept { return small(i) && small(i + 1); }
 
   int n_ = 0;
