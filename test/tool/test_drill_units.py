@@ -9,7 +9,6 @@ import math
 import os
 import re
 import sys
-import unittest
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
@@ -123,6 +122,7 @@ class Units(test_drill.Drill):
         self.assertEqual(*finals)
 
     def test_commands_of_python_take_them(self):
+        test_drill.skips.without_module(self, test_drill.drill_program)
         series = self.file('run.csv')
         self.succeed('run', QUICK, '--duration', '20', '--csv', series, *test_drill.ALONE, '--set', 'start.bit_depth=327.9 ft')
         self.assertRegex(self.succeed('score', series, '--units', 'oilfield'), r'weight on bit, mean +[\d.]+ klbf')
@@ -135,4 +135,4 @@ class Units(test_drill.Drill):
 
 if __name__ == '__main__':
     test_drill.drill_program = os.path.abspath(sys.argv.pop(1))
-    unittest.main()
+    test_drill.skips.main()
