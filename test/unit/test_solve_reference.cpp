@@ -124,20 +124,23 @@ TEST(Reference, DrillsAsTheDefaultStepperDoesAtShortSteps)
 
 TEST(Reference, JointsHoldWhileItDrills)
 {
-  Scene scene = drilling(1e-6);
-  scene.rig.hoisting.rail_friction =
-      0.0;  // where the block begins to slide, forces have a kink, and the joints' rates twice the drift
-  Simulator simulator(scene);
-  start_up(simulator);
-  run(simulator, 1.0);
-  ASSERT_TRUE(simulator.statistics().is_reference);
-  const ReferenceReport& report = simulator.statistics().reference;
-  // Newton's method ends at 1e-8 m or rad, and 1e-6 in rates, in root mean square over the unknowns (some 300): one of them may
-  // be off by the root of their number. Its tangent may be old: the joints' axes have turned with the string since, and are what
-  // converges last. Rates: 3e-6 by SUNDIALS 4.1, below 1e-6 by later ones.
-  EXPECT_LT(report.drift, 1e-8 * std::sqrt(300.0));
-  EXPECT_LT(report.rate_drift, 1e-6 * std::sqrt(300.0));
-  EXPECT_GT(report.ida.steps, 100u);
+  for (const double tolerance : {1e-6, 1e-7})
+  {
+    Scene scene = drilling(tolerance);
+    scene.rig.hoisting.rail_friction =
+        0.0;  // where the block begins to slide, forces have a kink, and the joints' rates twice the drift
+    Simulator simulator(scene);
+    start_up(simulator);
+    run(simulator, 1.0);
+    ASSERT_TRUE(simulator.statistics().is_reference);
+    const ReferenceReport& report = simulator.statistics().reference;
+    // Newton's method leaves less than the tolerance, of rates, and a hundredth of it, of m or rad, in root mean square over the
+    // unknowns (some 300): one of them may be off by the root of their number. What the worst of 4000 steps leaves is chance: at
+    // 1e-6 it is 2e-7 by SUNDIALS 6.4 and 3e-6 by 4.1, and by both it falls with the tolerance.
+    EXPECT_LT(report.drift, 0.01 * tolerance * std::sqrt(300.0));
+    EXPECT_LT(report.rate_drift, tolerance * std::sqrt(300.0));
+    EXPECT_GT(report.ida.steps, 100u);
+  }
 }
 
 // IDA's memory is no part of a snapshot: it starts afresh, and the runs agree within the tolerance.
