@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
 """The part of ./test/packaging/run that runs in its chroot: builds /ws/src with each of catkin's tools and tries what they leave. One line for each
-thing. Usage: workspace.py [--unit] [--demo]. Exit status: 0 nothing failed, 1 something failed."""
+thing. Usage: workspace.py [--unit] [--rostest] [--demo]. Exit status: 0 nothing failed, 1 something failed."""
 import glob
 import os
 import re
@@ -57,8 +57,8 @@ def jobs():
 
 
 def catkin_make(log):
-    tests = 'ON' if '--unit' in sys.argv else 'OFF'
-    log.bash('catkin_make -j%d -DCATKIN_ENABLE_TESTING=%s; catkin_make -j%d install' % (jobs(), tests, jobs()))
+    tests_too = 'ON' if '--unit' in sys.argv or '--rostest' in sys.argv else 'OFF'
+    log.bash('catkin_make -j%d -DCATKIN_ENABLE_TESTING=%s; catkin_make -j%d install' % (jobs(), tests_too, jobs()))
     left_out = re.findall(r'^-- (.*): left out, (.*)$', open(log.path, encoding='utf-8', errors='replace').read(), re.M)
     return ', '.join(dict.fromkeys('without %s (%s)' % (re.sub(r' \(.*', '', part), why) for part, why in left_out))
 
@@ -186,14 +186,28 @@ def neon(log):
     return ', '.join(re.findall(r'PASSED +\] (\d+ tests)', printed))
 
 
-def unit(log):
-    log.bash("make -C build/drill_rig_sim -j%d unit_tests; cd build/drill_rig_sim; ctest -L unit -j%d --output-on-failure || true" % (jobs(), jobs()), WORKSPACE + '/devel')
+def tests(log, target, chosen):
+    """Those that options of ctest choose, when `target` is built."""
+    log.bash("make -C build/drill_rig_sim -j%d %s; cd build/drill_rig_sim; ctest %s -j%d --output-on-failure || true" % (jobs(), target, chosen, jobs()), WORKSPACE + '/devel')
     with open(log.path, encoding='utf-8', errors='replace') as file:
-        text = file.read()
+        return passed(file.read())
+
+
+def passed(text):
+    """How many of the tests in the output of ctest, if all."""
     summary = re.search(r'(\d+)% tests passed, (\d+) tests failed out of (\d+)', text)
     if not summary or summary.group(2) != '0':
-        raise Failed('%s: %s' % (summary.group(0) if summary else 'ctest ended early', ' '.join(re.findall(r'\d+ - _ctest_drill_rig_sim_gtest_(\S+) \(', text))))
+        failed = re.findall(r'\d+ - _ctest_drill_rig_sim_(?:gtest|rostest_test_rostest)_(\S+) \(', text)
+        raise Failed('%s: %s' % (summary.group(0) if summary else 'ctest ended early', ' '.join(failed)))
     return '%s programs passed' % summary.group(3)
+
+
+def unit(log):
+    return tests(log, 'unit_tests', '-L unit')
+
+
+def rostests(log):
+    return tests(log, 'tests', '-R _rostest_')
 
 
 def demo(log):
@@ -202,6 +216,9 @@ def demo(log):
     if not factor:
         raise Failed('no real-time factor at the end')
     return 'real-time factor ' + factor.group(1)
+
+
+OPTIONAL = (('--unit', 'tests of the library', unit), ('--rostest', 'tests of the node', rostests), ('--demo', 'launch/demo', demo))
 
 
 def tried(name, thing, *given):
@@ -232,7 +249,7 @@ def main():
     results.append(tried('install: prefix, DESTDIR', install))
     results.append(tried('installed size, stripped', size))
     results.append(tried('NEON under qemu', neon))
-    results += [tried(name, thing) for option, name, thing in (('--unit', 'tests of the library', unit), ('--demo', 'launch/demo', demo)) if option in sys.argv]
+    results += [tried(name, thing) for option, name, thing in OPTIONAL if option in sys.argv]
     print('%d ok, %d failed, %d skipped' % tuple(results.count(result) for result in ('ok', 'failed', 'skipped')))
     return 1 if 'failed' in results else 0
 

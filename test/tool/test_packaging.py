@@ -61,6 +61,19 @@ class Things(unittest.TestCase):
         self.assertRegex(self.line(workspace.catkin_build)[1], '^skipped .* this release has no catkin-tools$')
         self.assertRegex(self.line(workspace.rviz, self.folder)[1], '^skipped .* no plug-ins in this build$')
 
+    def test_what_ctest_prints(self):
+        self.assertEqual('43 programs passed', workspace.passed('100% tests passed, 0 tests failed out of 43\n'))
+        text = """98% tests passed, 2 tests failed out of 90
+
+The following tests FAILED:
+\t 12 - _ctest_drill_rig_sim_gtest_test_well_survey (Failed)
+\t 43 - _ctest_drill_rig_sim_rostest_test_rostest_rviz.test (Timeout)
+"""
+        with self.assertRaisesRegex(workspace.Failed, r'^98% tests passed, 2 tests failed out of 90: test_well_survey rviz\.test$'):
+            workspace.passed(text)
+        with self.assertRaisesRegex(workspace.Failed, '^ctest ended early: $'):
+            workspace.passed('Internal ctest changing into directory\n')
+
     def test_hook_loads(self):
         self.assertEqual('hook load 234.6 kN', workspace.check_hook_load('time: 1\nhook_load: 234567.0\n'))
         for printed in ('', 'hook_load: 0.0', 'hook_load: 2e5\nhook_load: 2e5', 'hook_load: 2e6'):
