@@ -4,6 +4,7 @@
 import os
 import tempfile
 
+import numpy
 import yaml
 from drill_rig_sim.msg import BitTruth, RigState, RigTruth, TopDriveCommand
 from drill_rig_sim.recorder import Recorder
@@ -248,7 +249,7 @@ class RigModule(unittest.TestCase):
         states = list(self.rig.frames(0.05))
         self.assertEqual((5,), series(states, "truth.hook_load").shape)
         self.assertEqual([s.hook_load for s in states], series(states, "hook_load").tolist())
-        self.assertAlmostEqual(4 * FRAME, series(states, "t").ptp(), places=9)
+        self.assertAlmostEqual(4 * FRAME, numpy.ptp(series(states, "t")), places=9)
 
 
 if __name__ == "__main__":
