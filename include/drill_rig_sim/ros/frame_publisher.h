@@ -4,7 +4,6 @@
 
 #include <ros/ros.h>
 #include <tf2_msgs/TFMessage.h>
-#include <tf2_ros/static_transform_broadcaster.h>
 
 #include <functional>
 #include <string>
@@ -28,7 +27,7 @@ public:
 private:
   std::string prefix_;
   StandingTopic<tf2_msgs::TFMessage> tf_;  // not tf2_ros' broadcaster, which cannot greet a new subscriber alone
-  tf2_ros::StaticTransformBroadcaster tf_static_;
+  ros::Publisher tf_static_;
 };
 
 }  // namespace drill_rig_sim
