@@ -123,7 +123,7 @@ class Again(test_campaign_parts.Folder):
                           "its numbers again: rosrun drill_rig_sim drill_campaign play r.sqlite --run 2"], self.scene(2))
         launch = xml.etree.ElementTree.parse("run.launch").getroot()
         told = {one.get("name"): one.get("value") for one in launch.iter() if one.get("value") is not None}
-        self.assertEqual(("$(dirname)/run.yaml", "7", "$(dirname)/run.law.py:Law", "1.0"), tuple(told[name] for name in ("scene", "seed", "law", "timeout")))
+        self.assertEqual(("$(dirname)", "$(arg folder)/run.yaml", "7", "$(dirname)/run.law.py:Law", "1.0"), tuple(told[name] for name in ("folder", "scene", "seed", "law", "timeout")))
         given = yaml.safe_load(launch.find("node/rosparam").text)
         self.assertEqual({"settings": {"fault": "<&>", "rpm": 90.0}, "score": {"wob": 10e3}}, given)
         with open("run.law.py", encoding="utf-8") as copy, open(os.path.join(HERE, "laws.py"), encoding="utf-8") as law:

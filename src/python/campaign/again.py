@@ -16,6 +16,8 @@ LAUNCH = """<!-- Run {number} of the campaign {name}: its scene, controller, par
   <arg name="headless" default="false" doc="true: in lockstep, as fast as possible, no window; ends with the score. False: in real time, by topics"/>
   <arg name="rviz" default="false" doc="show the rig in rviz"/>
   <arg name="csv" default="" doc="headless: file for the truth, as drill run --csv writes it"/>
+  <!-- within an include, $(dirname) is the folder of the included file on Debian 11 -->
+  <arg name="folder" value="$(dirname)"/>
 
   <include file="$(find drill_rig_sim)/launch/rig.launch">
     <arg name="scene" value={scene}/>
@@ -102,7 +104,7 @@ def launch_file(blueprint, row, scene, law):
     controller, values = blueprint.controller, row["values"]
     where = controller.where if controller.text is None else "$(dirname)/%s:%s" % (law, controller.name)
     score = {name: value for name, value in blueprint.judge.items() if name != "plan"}
-    return LAUNCH.format(number=row["number"], name=blueprint.name.replace("--", "-"), begin=blueprint.begin, scene=quoteattr("$(dirname)/" + scene), rate=blueprint.rate,
+    return LAUNCH.format(number=row["number"], name=blueprint.name.replace("--", "-"), begin=blueprint.begin, scene=quoteattr("$(arg folder)/" + scene), rate=blueprint.rate,
                          seed=blueprint.seed_of(values), law=quoteattr(where), duration=float(blueprint.duration),
                          settings=escape(written(blueprint.parameters_of(values))), score=escape(written(score)))
 
