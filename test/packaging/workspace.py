@@ -207,6 +207,8 @@ def unit(log):
 
 
 def rostests(log):
+    # as in ./test/run: their pictures and logs are beside the build, whose folder one of them installs
+    os.environ['ROS_HOME'] = WORKSPACE + '/build/drill_rig_sim/ros_home'
     return tests(log, 'tests', '-R _rostest_')
 
 
