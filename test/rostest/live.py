@@ -6,15 +6,11 @@ import signal
 import subprocess
 import tempfile
 
-from rig_test import PACKAGE_DIR, PATIENCE, Rig, rospy, run, unittest, wait_until, winch
+from rig_test import PACKAGE_DIR, PATIENCE, Rig, rospy, run, runner, unittest, wait_until, winch
 from std_msgs.msg import Float64
 
 SIGNALS = ("hook_load", "torque", "stand_pipe_pressure", "bit_depth")
 SCENE = os.path.join(PACKAGE_DIR, "config/scenes/quick.yaml")
-
-
-def runner():
-    return subprocess.run(["catkin_find", "--first-only", "--libexec", "drill_rig_sim", "drill"], stdout=subprocess.PIPE, text=True, check=True).stdout.strip()
 
 
 class Live(unittest.TestCase):
@@ -38,7 +34,7 @@ class Live(unittest.TestCase):
 
     def test_a_block_that_moves(self):
         with open(self.log, "w", encoding="utf-8") as log:
-            command = [runner(), "live", "127.0.0.1:%d" % self.port, SCENE, "--start", "record", "--topics", "/live", "--csv", self.csv]
+            command = [runner(self), "live", "127.0.0.1:%d" % self.port, SCENE, "--start", "record", "--topics", "/live", "--csv", self.csv]
             live = subprocess.Popen(command, stdout=log, stderr=subprocess.STDOUT)
             self.addCleanup(live.kill)
 

@@ -9,18 +9,17 @@ import tempfile
 
 import yaml
 from drill_rig_sim.msg import RigTruth
-from rig_test import PACKAGE_DIR, Rig, run, unittest, winch
+from rig_test import PACKAGE_DIR, Rig, run, runner, unittest, winch
 
 SCENE = os.path.join(PACKAGE_DIR, "test/scenes/operations.yaml")
-RUNNER = os.path.join(os.environ["CMAKE_PREFIX_PATH"].split(":")[0], "lib/drill_rig_sim/drill")
 SIGNALS = ("hook_load", "torque", "rop", "hole_depth")
 
 
-def by_the_runner():
-    """Its summary at the end of the operations."""
+def by(program):
+    """The runner's summary at the end of the operations."""
     with tempfile.TemporaryDirectory() as folder:
         summary = os.path.join(folder, "summary.json")
-        subprocess.run([RUNNER, "run", SCENE, "--json", summary], check=True, stdout=subprocess.DEVNULL)
+        subprocess.run([program, "run", SCENE, "--json", summary], check=True, stdout=subprocess.DEVNULL)
         with open(summary) as file:
             return json.load(file)
 
@@ -31,7 +30,7 @@ class Operations(unittest.TestCase):
         self.assertTrue(self.rig.reset_well(SCENE, 0.0).success)
 
     def test_node_and_runner_agree_bit_for_bit(self):
-        expected = by_the_runner()
+        expected = by(runner(self))
         truth = self.rig.collect("truth/rig_state", RigTruth)
         frames = round(expected["simulated_s"] / 0.01)
         last = truth.at(self.rig.advance(frames).header.stamp)

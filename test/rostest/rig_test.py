@@ -31,6 +31,15 @@ def needs(case, *programs):
             case.skipTest(program + " is not installed")
 
 
+def runner(case):
+    """The program drill. Skips the case where it is not built, as on Debian 11."""
+    places = [os.path.join(place, "lib", "drill_rig_sim", "drill") for place in os.environ.get("CMAKE_PREFIX_PATH", "").split(":")]
+    program = next((place for place in places if os.path.exists(place)), None)
+    if program is None:
+        case.skipTest("the runner drill is not built")
+    return program
+
+
 def wait_until(condition, what, patience=PATIENCE):
     """Returns what `condition()` gives, once it is true."""
     deadline = time.monotonic() + patience

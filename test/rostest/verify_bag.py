@@ -9,10 +9,9 @@ import tempfile
 import rosbag
 from drill_rig_sim.msg import RigDescription
 from drill_rig_sim.rig import Rig
-from rig_test import PATIENCE, rospy, run, unittest
+from rig_test import PATIENCE, rospy, run, runner, unittest
 from std_msgs.msg import String
 
-RUNNER = os.path.join(os.environ["CMAKE_PREFIX_PATH"].split(":")[0], "lib/drill_rig_sim/drill")
 SECONDS = 6.0
 
 
@@ -44,7 +43,7 @@ class VerifyBag(unittest.TestCase):
         return [state.hook_load for state in states[1:]]
 
     def verify(self):
-        done = subprocess.run([RUNNER, "verify", self.file, "--times", "1.2", "--json", self.file + ".json"], capture_output=True, text=True, check=False)
+        done = subprocess.run([runner(self), "verify", self.file, "--times", "1.2", "--json", self.file + ".json"], capture_output=True, text=True, check=False)
         return done.returncode, done.stderr
 
     def test_its_set_points_are_played_again(self):
