@@ -91,7 +91,12 @@ class Migration(unittest.TestCase):
         self.assertEqual(*(str(self.messages(file, "truth/rig_state")) for file in (self.new, again)))
 
     def test_rosbags_rule_fixes_the_readings(self):
-        migrator = MessageMigrator([RULE], False)
+        try:
+            migrator = MessageMigrator([RULE], False)
+        except KeyError as error:
+            if sys.version_info < (3, 13) or not str(error.args[0]).startswith("update_"):
+                raise
+            self.skipTest("this rosbag makes no rules with Python 3.13: it looks for names that exec() made in locals()")
         self.assertEqual([], fixbag2(migrator, self.old, self.new))
         for number, message in enumerate(self.messages(self.new, "rig_state")):
             self.expect(message, RigState, 1000.0, number)
