@@ -76,6 +76,13 @@ class Scenes(unittest.TestCase):
         text = SceneText(self.TEXT, ["a", "list[1].v"]).with_values({"a": 1e-9, "list[1].v": 5})
         self.assertEqual(self.TEXT.replace("1.0 ", "1.0e-09 ").replace("v: 4", "v: 5"), text)
 
+    def test_a_number_is_written_as_a_number_whatever_shows_it(self):
+        class OfNumpy2(float):
+            def __repr__(self):
+                return "np.float64(%s)" % float(self)
+        self.assertEqual({"a": 1492.5, "list": [{"name": "x", "v": 2}, {"name": "y", "v": 1e-9}]},
+                         {name: value for name, value in self.with_values({"a": OfNumpy2(1492.5), "list[1].v": OfNumpy2(1e-9)}).items() if name != "block"})
+
     def test_by_name_and_all_of_a_list_and_times(self):
         self.assertEqual([7, 4], [item["v"] for item in self.with_values({"list[x].v": 7})["list"]])
         self.assertEqual([1.0, 2.0], [item["v"] for item in self.with_values({"list[*].v": Times(0.5)})["list"]])

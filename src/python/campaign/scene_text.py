@@ -171,7 +171,7 @@ def flow(what, values):
 def written(value):
     """As YAML in one line. 1.0e-9 needs its point: without it YAML reads a text."""
     if isinstance(value, float):
-        text = repr(value)
+        text = repr(float(value))  # of NumPy 2, repr is np.float64(1.5)
         return text if "e" not in text or "." in text else text.replace("e", ".0e")
     if isinstance(value, list):
         return "[%s]" % ", ".join(written(item) for item in value)
