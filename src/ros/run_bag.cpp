@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/ros/run_bag.h"
 
+#include <console_bridge/console.h>
 #include <rosbag/bag.h>
 #include <std_msgs/String.h>
 
@@ -52,6 +53,7 @@ struct RunBag::Writer
     catch (const rosbag::BagException&)
     {
       static_cast<void>(bag.release());
+      console_bridge::noOutputHandler();  // the class_loader of Debian 13 would warn of the bag's plug-in when the program ends
       throw std::runtime_error(file + " could not be written completely; is the disk full?");
     }
   }
