@@ -22,6 +22,8 @@ class Readings:
         self.inclination, self.dynamics = telemetry.inclination, telemetry.dynamics
 
     def __getattr__(self, name):
+        if name == "_state" or name.startswith("__"):  # of a copy that is not filled yet, and how it is made
+            raise AttributeError(name)
         if name in UNSENSED:
             raise AttributeError("%s: is not a reading; only truth has it" % name)
         return getattr(self._state, name)
@@ -66,7 +68,7 @@ class Ordered:
         return self._law
 
     def __getattr__(self, name):
-        if name == "_law":  # of a copy that is not filled yet
+        if name == "_law" or name.startswith("__"):  # of a copy that is not filled yet, and how it is made
             raise AttributeError(name)
         return getattr(self._law, name)
 

@@ -43,7 +43,7 @@ class State:
         self.t, self.readings, self.truth, self.bit = t, readings, truth, bit
 
     def __getattr__(self, name):
-        if name in State.__slots__:  # of a copy that is not filled yet
+        if name in State.__slots__ or name.startswith("__"):  # of a copy that is not filled yet, and how it is made
             raise AttributeError(name)
         if not hasattr(self.readings, name) and hasattr(self.truth, name):
             raise AttributeError("%s: is not a reading; use truth.%s" % (name, name))

@@ -1,8 +1,10 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
 """Control laws and their parts without a rig: what they are made of against closed forms. With a rig: test/laws."""
+import copy
 import math
 import os
+import pickle
 import tempfile
 import threading
 import types
@@ -12,7 +14,7 @@ from unittest import mock
 import rospy
 from drill_rig_sim import topics
 from drill_rig_sim.autodriller import HOOK_LOAD, Autodriller
-from drill_rig_sim.control import NewRuns, Ordered, asked, drive, pipe_work
+from drill_rig_sim.control import Deaf, NewRuns, Ordered, Readings, asked, drive, pipe_work
 from drill_rig_sim.law import Commands, Lag, Loop, Plan, turn_between
 from drill_rig_sim.msg import BitTruth, MwdToolface, RigState, RigTruth
 from drill_rig_sim.recorder import Recorder
@@ -77,6 +79,13 @@ class StatusOfALaw(unittest.TestCase):
 
 
 class Parts(unittest.TestCase):
+    def test_readings_can_be_copied(self):
+        readings = Readings(1.5, RigState(hook_load=1e5), Deaf())
+        for again in (copy.deepcopy(readings), pickle.loads(pickle.dumps(readings))):
+            self.assertEqual((1.5, 1e5), (again.t, again.hook_load))
+        with self.assertRaisesRegex(AttributeError, "on_bottom: is not a reading"):
+            again.on_bottom  # pylint: disable=pointless-statement
+
     def test_a_step_that_gives_no_commands_is_told(self):
         for given, said in ((None, "nothing"), (0.1, "float")):
             law = types.SimpleNamespace(step=lambda _, given=given: given)

@@ -50,10 +50,18 @@ def several(rows, identity, verified):
     return time.monotonic() - began, answers
 
 
+def keys_of_logs():
+    """Of what a scheduler keeps for its developers. A key of another version is a warning of Dask."""
+    of_2024 = "distributed.admin.low-level-log-length"
+    if dask.config.get(of_2024, None) is not None:
+        return [of_2024]
+    return ["distributed.scheduler.transition-log-length", "distributed.scheduler.events-log-length"]
+
+
 def connect(scheduler=None, slurm=0, workers=0):
     """A client and what is to be closed after it. Without arguments: as many processes on this machine as it has cores for us."""
     dask.config.set({"distributed.worker.daemon": False, "distributed.comm.timeouts.connect": "20s", "distributed.admin.log-format": "%(levelname)s %(message)s",
-                     "distributed.scheduler.transition-log-length": LOGGED, "distributed.scheduler.events-log-length": LOGGED,
+                     **dict.fromkeys(keys_of_logs(), LOGGED),
                      "distributed.nanny.pre-spawn-environ.DASK_LOGGING__DISTRIBUTED": "critical"})  # what older workers left behind is no news
     if scheduler is not None:
         return client_of(address_checked(scheduler)), []
