@@ -87,14 +87,19 @@ def campaign(options):
     if options.check:
         print("%s: %d runs, %d of them different; build %s, kernel %s" % (options.plan, len(keys), len(set(keys)), identity[0][:8], identity[1]))
         return GOOD
-    results = Results(file)
+    with contextlib.closing(Results(file)) as results:
+        return fill(results, plan, keys, identity, options)
+
+
+def fill(results, plan, keys, identity, options):
+    """Does the runs of these keys that the file does not have yet, and the audits."""
     results.describe(keys, name=plan.blueprint.name, plan=plan.text, factors=plan.names, outputs=list(plan.blueprint.outputs), sample=plan.sample,
                      report=plan.report, audit=plan.audit, identity=identity, blueprint=plan.blueprint.parts())
     if options.again:
         results.forget_bad(keys)
     there = results.done()
     todo = list({key: (key, row) for key, row in zip(keys, plan.rows) if key not in there}.values())
-    print("%s: %d runs, %d to do" % (file, len(keys), len(todo)), flush=True)
+    print("%s: %d runs, %d to do" % (results.file, len(keys), len(todo)), flush=True)
     if todo:
         do(plan.blueprint, todo, identity, results, options)
     audit(plan.blueprint, identity, results, options)
@@ -175,7 +180,11 @@ def told(results, number):
 
 def look(name, words):
     options = looks()[name].parse_args(words)
-    results = Results(options.results, write=False)
+    with contextlib.closing(Results(options.results, write=False)) as results:
+        return shown(name, results, options)
+
+
+def shown(name, results, options):
     base = os.path.splitext(options.results)[0]
     if name == "export":
         file = options.out or base + ".csv"

@@ -40,6 +40,7 @@ class Results:
         except sqlite3.Error as error:
             raise ResultsError("%s: %s" % (file, error))
         if version != SCHEMA:
+            self.data.close()
             raise ResultsError("%s: is not a results file of a campaign%s" % (file, " of version %d" % SCHEMA if version else ""))
         if write:
             self.take_lock()
@@ -52,6 +53,7 @@ class Results:
             self.lock = open(self.file, "rb")  # pylint: disable=consider-using-with
             fcntl.flock(self.lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except OSError:
+            self.close()
             raise ResultsError("%s: another campaign is writing it" % self.file)
 
     @contextlib.contextmanager
