@@ -5,31 +5,34 @@
 #include <vector>
 
 #include "drill_rig_sim/sim/accuracy.h"
+#include "drill_times.h"
 
 namespace drill_rig_sim
 {
-/// Why a run's numbers may be wrong: of each kind of warning its first time, its last time, and its largest value.
+/// Why a run's numbers may be wrong: of each kind of warning when it was set, and its largest value.
 class Doubts
 {
 public:
   struct Entry
   {
-    double since, until;    ///< simulated time [s]
+    Times times;
     AccuracyReport report;  ///< the largest
   };
 
-  /// `time`: simulated [s].
+  /// With each frame. `time`: simulated [s].
   void add(double time, const AccuracyReport& now)
   {
+    const double before = time_;
+    time_ = time;
     if (now.doubt == AccuracyDoubt::none) return;
     for (Entry& entry : entries_)
       if (entry.report.doubt == now.doubt)
       {
-        entry.until = time;
+        entry.times.add(time, before);
         if (now.measure > entry.report.measure) entry.report = now;
         return;
       }
-    entries_.push_back({time, time, now});
+    entries_.push_back({Times(time), now});
   }
 
   /// In the order in which they came.
@@ -37,6 +40,7 @@ public:
 
 private:
   std::vector<Entry> entries_;
+  double time_ = 0.0;  // of the latest frame [s]
 };
 
 }  // namespace drill_rig_sim

@@ -6,11 +6,12 @@
 
 #include "drill_rig_sim/instruments/signals.h"
 #include "drill_rig_sim/sim/string_watch.h"
+#include "drill_times.h"
 
 namespace drill_rig_sim
 {
-/// What went beyond its limits in a run, which goes on as if it had not: of each flag of the truth when it was first and last up,
-/// and the largest load.
+/// What went beyond its limits in a run, which goes on as if it had not: of each flag of the truth when it was up, and the
+/// largest load.
 class Limits
 {
 public:
@@ -18,26 +19,26 @@ public:
   {
     const char* flag;  ///< of RigState, or max_hook_load
     const char* what;
-    double since, until;  ///< simulated time [s]
-    LoadShare load;       ///< share 0: the flag has no load
+    Times times;
+    LoadShare load;  ///< share 0: the flag has no load
   };
 
-  /// `max_hook_load`: of the rig [N].
+  /// With each frame. `max_hook_load`: of the rig [N].
   void add(const Truth& m, const StringLoads& loads, double max_hook_load)
   {
-    add(m.over_stress, {"over_stress", "pipe beyond its yield strength", m.time, m.time, loads.stress});
-    add(m.over_torque, {"over_torque", "connection beyond its make-up torque", m.time, m.time, loads.torque});
-    add(m.buckled, {"buckled", "pipe beyond its buckling load", m.time, m.time, loads.buckling});
-    add(m.slack_line, {"slack_line", "the lines carry nothing", m.time, m.time, LoadShare()});
-    add(m.stop_reached, {"stop_reached", "the block is at its lowest or highest place", m.time, m.time, LoadShare()});
+    add(m.over_stress, {"over_stress", "pipe beyond its yield strength", Times(m.time), loads.stress});
+    add(m.over_torque, {"over_torque", "connection beyond its make-up torque", Times(m.time), loads.torque});
+    add(m.buckled, {"buckled", "pipe beyond its buckling load", Times(m.time), loads.buckling});
+    add(m.slack_line, {"slack_line", "the lines carry nothing", Times(m.time), LoadShare()});
+    add(m.stop_reached, {"stop_reached", "the block is at its lowest or highest place", Times(m.time), LoadShare()});
     if (!m.top_drive_limited) top_drive_free_ = m.time;
     add(m.time - top_drive_free_ > 1.0,
-        {"top_drive_limited", "the top drive is at its limit of torque, speed or power", m.time, m.time, LoadShare()});
-    add(m.relief_valve_open,
-        {"relief_valve_open", "part of the pump's flow goes back to the tanks", m.time, m.time, LoadShare()});
+        {"top_drive_limited", "the top drive is at its limit of torque, speed or power", Times(m.time), LoadShare()});
+    add(m.relief_valve_open, {"relief_valve_open", "part of the pump's flow goes back to the tanks", Times(m.time), LoadShare()});
     add(m.hook_load >= max_hook_load,
-        {"max_hook_load", "the winch does not raise beyond rig.hoisting.max_hook_load", m.time, m.time, LoadShare()});
-    add(m.motor_stalled, {"motor_stalled", "the mud motor is at its stall torque", m.time, m.time, LoadShare()});
+        {"max_hook_load", "the winch does not raise beyond rig.hoisting.max_hook_load", Times(m.time), LoadShare()});
+    add(m.motor_stalled, {"motor_stalled", "the mud motor is at its stall torque", Times(m.time), LoadShare()});
+    time_ = m.time;
   }
 
   /// In the order in which they came.
@@ -50,7 +51,7 @@ private:
     for (Entry& entry : entries_)
       if (entry.flag == now.flag)
       {
-        entry.until = now.until;
+        entry.times.add(now.times.until, time_);
         if (now.load.share > entry.load.share) entry.load = now.load;
         return;
       }
@@ -60,6 +61,7 @@ private:
   double top_drive_free_ =
       0.0;  // when it was last within its limits: on its way to a set point it may be at them for a moment [s]
   std::vector<Entry> entries_;
+  double time_ = 0.0;  // of the frame before [s]
 };
 
 }  // namespace drill_rig_sim

@@ -133,7 +133,10 @@ Json json_of(const Doubts& doubts)
 {
   Json list = Json::array();
   for (const Doubts::Entry& doubt : doubts.entries())
-    list.push_back({{"since", doubt.since}, {"until", doubt.until}, {"text", text_of(doubt.report)}});
+    list.push_back({{"since", doubt.times.since},
+                    {"until", doubt.times.until},
+                    {"lasted", doubt.times.lasted},
+                    {"text", text_of(doubt.report)}});
   return list;
 }
 
@@ -153,7 +156,8 @@ Json json_of(const Limits& limits)
   Json list = Json::array();
   for (const Limits::Entry& entry : limits.entries())
   {
-    list.push_back({{"flag", entry.flag}, {"since", entry.since}, {"until", entry.until}});
+    list.push_back(
+        {{"flag", entry.flag}, {"since", entry.times.since}, {"until", entry.times.until}, {"lasted", entry.times.lasted}});
     if (entry.load.share == 0.0) continue;
     list.back()["share"] = entry.load.share;
     list.back()["from_bit"] = entry.load.from_bit;
@@ -206,7 +210,7 @@ void print_feed(const std::vector<Operation>& operations, const FeedLimits& feed
 
 void print(const Limits::Entry& entry, const Printed& printed)
 {
-  std::printf("limit passed, %.1f to %.1f s: %s", entry.since, entry.until, entry.what);
+  std::printf("limit passed, %s: %s", text_of(entry.times).c_str(), entry.what);
   if (entry.load.share > 0.0)
     std::printf(", at most %.2f times it, %s above the bit", entry.load.share,
                 printed(entry.load.from_bit, Dimension::length, {"%.4g", "m"}).c_str());
@@ -303,7 +307,7 @@ void print_summary(const Simulator& simulator, const Elapsed& elapsed, const Run
               elapsed.cpu, m.time / elapsed.cpu, printed(m.hole_depth, Dimension::length, {"%.3f", "m"}).c_str());
   print_errors(simulator, record.errors);
   for (const Doubts::Entry& doubt : record.doubts.entries())
-    std::printf("accuracy warning, %.1f to %.1f s: %s\n", doubt.since, doubt.until, text_of(doubt.report).c_str());
+    std::printf("accuracy warning, %s: %s\n", text_of(doubt.times).c_str(), text_of(doubt.report).c_str());
   for (const Limits::Entry& entry : record.limits.entries()) print(entry, printed);
   print_doubt_of_pressures(simulator);
   if (simulator.statistics().tight) std::printf("assembly warning: %s\n", text_of(*simulator.statistics().tight).c_str());

@@ -10,6 +10,7 @@ import re
 import tempfile
 import unittest
 from contextlib import redirect_stderr, redirect_stdout
+from types import SimpleNamespace
 from unittest.mock import patch
 
 import numpy
@@ -19,7 +20,7 @@ from drill_rig_sim.field.course import Course, half_band
 from drill_rig_sim.field.follow import Follow
 from drill_rig_sim.field.pipe import Slip, check_directions, first_hung, pipe_events, standstills
 from drill_rig_sim.field.record import RecordError, read_record
-from drill_rig_sim.field.replay import beyond_limits, check, check_start, play, ratio_of_units
+from drill_rig_sim.field.replay import Warnings, beyond_limits, check, check_start, play, ratio_of_units
 from drill_rig_sim.field.window import between, moment, stretches
 from drill_rig_sim.sim import Simulator
 
@@ -326,6 +327,12 @@ class Replays(Folder):
         self.assertRegex(told, "accuracy warning, .* does not represent direction")
         self.assertIn("error of the simulation not measured: numerics.level is set by hand and numerics.companion is not\n", out)
         self.assertNotIn("accuracy warning", self.drill_replay(file, scene)[2])
+
+    def test_accuracy_warnings_show_how_long_they_were_set(self):
+        warnings = Warnings()
+        for time, text in enumerate(["", "a 1 %", "a 2 %", "", "a 3 %", "b", "b"]):
+            warnings.look(SimpleNamespace(state=SimpleNamespace(truth=SimpleNamespace(accuracy_warning=text != "")), accuracy_warning=text), float(time))
+        self.assertEqual(["accuracy warning, 1.0 s between 1.0 and 4.0 s: a 1 %", "accuracy warning, 5.0 to 6.0 s: b"], warnings.lines())
 
     def test_the_error_that_the_companion_measures_is_shown(self):
         _, file = self.hoisted("block", 1.0, seconds=10.0)

@@ -305,13 +305,13 @@ TEST(Summary, saysWhatMayBeWrong)
   record.doubts.add(3.5, first);
   record.doubts.add(4.5, other);
   const Simulator simulator(drilling_scene());
-  const nlohmann::json expected = {{{"since", 1.5}, {"until", 3.5}, {"text", text_of(later)}},
-                                   {{"since", 4.5}, {"until", 4.5}, {"text", text_of(other)}}};
+  const nlohmann::json expected = {{{"since", 1.5}, {"until", 3.5}, {"lasted", 1.0}, {"text", text_of(later)}},
+                                   {{"since", 4.5}, {"until", 4.5}, {"lasted", 0.0}, {"text", text_of(other)}}};
   EXPECT_EQ(expected, summary_of(simulator, record, false)["accuracy_warnings"]);
   testing::internal::CaptureStdout();
   print_summary(simulator, Elapsed{9.0, 0.5}, record, Printed("si"));
   const std::string text = testing::internal::GetCapturedStdout();
-  EXPECT_NE(std::string::npos, text.find("accuracy warning, 1.5 to 3.5 s: " + text_of(later) + "\n")) << text;
+  EXPECT_NE(std::string::npos, text.find("accuracy warning, 1.0 s between 1.5 and 3.5 s: " + text_of(later) + "\n")) << text;
 }
 
 TEST(Summary, saysWhichLimitsWerePassed)
@@ -334,9 +334,10 @@ TEST(Summary, saysWhichLimitsWerePassed)
     record.limits.add(m, loads, 1e6);
   }
   const Simulator simulator(drilling_scene());
-  const nlohmann::json expected = {{{"flag", "slack_line"}, {"since", 2.0}, {"until", 2.0}},
-                                   {{"flag", "over_stress"}, {"since", 3.0}, {"until", 4.0}, {"share", 1.5}, {"from_bit", 80.0}},
-                                   {{"flag", "max_hook_load"}, {"since", 3.0}, {"until", 4.0}}};
+  const nlohmann::json expected = {
+      {{"flag", "slack_line"}, {"since", 2.0}, {"until", 2.0}, {"lasted", 0.0}},
+      {{"flag", "over_stress"}, {"since", 3.0}, {"until", 4.0}, {"lasted", 1.0}, {"share", 1.5}, {"from_bit", 80.0}},
+      {{"flag", "max_hook_load"}, {"since", 3.0}, {"until", 4.0}, {"lasted", 1.0}}};
   EXPECT_EQ(expected, summary_of(simulator, record, false)["limits_passed"]);
   testing::internal::CaptureStdout();
   print_summary(simulator, Elapsed{9.0, 0.5}, record, Printed("si"));

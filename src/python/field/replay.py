@@ -50,20 +50,25 @@ class Replay:
 
 
 class Warnings:
-    """Accuracy warnings of a simulated run: of each kind the text that came first, when and until when."""
+    """Accuracy warnings of a simulated run: of each kind the text that came first, and when it was set."""
 
     def __init__(self):
-        self.kinds = {}
+        self.kinds, self.time = {}, None
 
     def look(self, rig, time):
-        """`time` in the record's file [s]."""
+        """At each row. `time` in the record's file [s]."""
+        before, self.time = self.time, time
         if rig.state.truth.accuracy_warning:
             text = rig.accuracy_warning
-            kind = self.kinds.setdefault(re.sub(r"[-0-9.e]+", "", text), [text, time, time])
+            kind = self.kinds.setdefault(re.sub(r"[-0-9.e]+", "", text), [text, time, time, 0.0])
+            if kind[2] == before:
+                kind[3] += time - before
             kind[2] = time
 
     def lines(self):
-        return ["accuracy warning, %.1f to %.1f s: %s" % (begin, end, text) for text, begin, end in self.kinds.values()]
+        """As drill run: how long, where it was not set all the time."""
+        gaps = "accuracy warning, {3:.1f} s between {1:.1f} and {2:.1f} s: {0}"
+        return [(gaps if kind[3] < kind[2] - kind[1] - 0.05 else "accuracy warning, {1:.1f} to {2:.1f} s: {0}").format(*kind) for kind in self.kinds.values()]
 
 
 class MeasuredErrors:
