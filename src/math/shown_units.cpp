@@ -45,6 +45,8 @@ constexpr Row rows[] = {
     {"N m s/rad", {"N m s/rad", 1.0, 0}, {"ft.lbf.s/rad", per(exact::pound_force* exact::foot), 0}},
     {"N m/rad", {"N m/rad", 1.0, 0}, {"ft.lbf/rad", per(exact::pound_force* exact::foot), 0}},
     {"degC", {"degC", 1.0, 1}, {"degF", 1.8, 1, 32.0}},
+    {"Pa", {"Pa", 1.0, 1}, {"lbf/100ft2", per(exact::pound_force / (100.0L * exact::foot * exact::foot)), 1}},
+    {"Pa s", {"mPa s", 1e3, 1}, {"cP", 1e3, 1}},
     {"1", {"%", 100.0, 0}, {"%", 100.0, 0}},
     {"1", {"", 1.0, 2}, {"", 1.0, 2}},
 };

@@ -24,11 +24,13 @@ std::string loss_text(double si, const Printed& printed)
   return printed(si, Dimension::pressure, megapascal);
 }
 
-void print_curve(const Scene& scene)
+void print_curve(const Scene& scene, const Printed& printed)
 {
   const Rheology curve = curve_of(*scene.rheology, scene.mud.viscosity);
-  std::printf("rheology    yield stress %.3g Pa, consistency %.3g Pa s^n, index %.3g; plastic viscosity %.3g mPa s",
-              curve.yield_stress, curve.consistency, curve.index, 1e3 * plastic_viscosity(curve));
+  constexpr Printed::InSI pascal{"%.3g", "Pa"}, millipascal_second{"%.3g", "mPa s", 1e3};
+  std::printf("rheology    yield stress %s, consistency %.3g Pa s^n, index %.3g; plastic viscosity %s",
+              printed(curve.yield_stress, Dimension::shear_stress, pascal).c_str(), curve.consistency, curve.index,
+              printed(plastic_viscosity(curve), Dimension::viscosity, millipascal_second).c_str());
   if (scene.rheology->eccentricity > 0.0) std::printf("; string %g off the middle of its hole", scene.rheology->eccentricity);
   std::printf("\n");
 }
@@ -141,7 +143,7 @@ void print_relief(const Scene& scene, const LossesAtLargestFlow& losses, const P
 void print_losses(const Scene& scene, const Mesh& mesh, const MudCircuit& mud, const Printed& printed)
 {
   const LossesAtLargestFlow& losses = mud.losses;
-  if (scene.rheology) print_curve(scene);
+  if (scene.rheology) print_curve(scene, printed);
   std::printf("losses      at %s: ", printed(mud.circuit.nominal_flow, Dimension::flow, cubic_metres_a_second).c_str());
   if (!scene.rig.mud_pump.surface_lines.empty()) std::printf("surface lines %s, ", loss_text(losses.lines, printed).c_str());
   std::printf("bore %s", loss_text(losses.bore, printed).c_str());

@@ -27,9 +27,10 @@ std::string density_at(const Scene& scene, double pressure, double depth, const 
 /// Of the mud around the bit, and of the reference.
 void print_viscosity(const Scene& scene, double temperature, const Printed& printed)
 {
-  const double viscosity = 1e3 * plastic_viscosity(curve_of(*scene.rheology, scene.mud.viscosity));
-  std::printf("            then plastic viscosity %.3g mPa s at the bit (%.3g mPa s at %s)",
-              viscosity * viscosity_factor(*scene.temperature, temperature), viscosity,
+  const double viscosity = plastic_viscosity(curve_of(*scene.rheology, scene.mud.viscosity));
+  const auto shown = [&](double value) { return printed(value, Dimension::viscosity, {"%.3g", "mPa s", 1e3}); };
+  std::printf("            then plastic viscosity %s at the bit (%s at %s)",
+              shown(viscosity * viscosity_factor(*scene.temperature, temperature)).c_str(), shown(viscosity).c_str(),
               printed(scene.temperature->rheology_temperature, Dimension::temperature, {"%g", "degC"}).c_str());
 }
 }  // namespace

@@ -23,7 +23,8 @@ std::string Printed::number(double si, Dimension dimension, const InSI& in_si) c
     std::snprintf(text, sizeof text, in_si.format, si * in_si.scale);
   else
     std::snprintf(text, sizeof text, "%.*f", unit_of(dimension, system_).decimals, to_shown(si, dimension, system_));
-  return text;
+  const std::string shown = text;
+  return shown[0] == '-' && shown.find_first_of("123456789") == std::string::npos ? shown.substr(1) : shown;
 }
 
 }  // namespace drill_rig_sim

@@ -28,6 +28,7 @@ public:
     double scale = 1.0;
   };
 
+  /// Without a sign where it rounds to zero.
   std::string number(double si, Dimension dimension, const InSI& in_si) const;
   const char* unit(Dimension dimension, const InSI& in_si) const
   {

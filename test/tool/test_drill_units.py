@@ -52,6 +52,18 @@ class Units(test_drill.Drill):
             self.assertAlmostEqual(1578.0, float(total.group(1)) / (0.3048 if text is in_si else 1.0), delta=0.05)
         self.assertIn("'imperial' is not known, allowed: si or oilfield", self.refuse('check', OILFIELD, '--units', 'imperial'))
 
+    def test_check_prints_the_flow_curve_in_its_units(self):
+        scene = self.file('mud.yaml')
+        with open(scene, 'w', encoding='utf-8') as out:
+            out.write(WITH_CUTTINGS)
+        self.assertIn('yield stress 4.79 Pa, consistency 0.015 Pa s^n, index 1; plastic viscosity 15 mPa s\n', self.succeed('check', scene))
+        self.assertIn('yield stress 10.0 lbf/100ft2, consistency 0.015 Pa s^n, index 1; plastic viscosity 15.0 cP\n', self.succeed('check', scene, '--units', 'oilfield'))
+
+    def test_zero_has_no_sign(self):
+        for motion in ('none', 'up', 'down'):
+            for units in ('si', 'oilfield'):
+                self.assertNotRegex(self.succeed('static', OILFIELD, '--motion', motion, '--units', units), r'-0\.0+ k?(N m|ft\.lbf)')
+
     def test_check_prints_the_flow_that_carries_cuttings(self):
         scene = self.file('cuttings.yaml')
         with open(scene, 'w', encoding='utf-8') as out:

@@ -36,6 +36,8 @@ enum class Dimension
   torsional_damping,
   torsional_stiffness,
   temperature,
+  shear_stress,  // of mud
+  viscosity,
   share,
   number,
   count
@@ -46,7 +48,7 @@ struct Unit
 {
   const char* name;   // "" for a mere number
   double per_si;      // shown units in one SI unit (N, N m, rad/s, m/s, Pa, m3/s, m, m2, rad, kg/m3, 1/s, N/m, kg, m3, rad/m, N m
-                      // s/rad, N m/rad, degC)
+                      // s/rad, N m/rad, degC, Pa, Pa s)
   int decimals;       // that are shown
   double zero = 0.0;  // shown at 0 of the SI unit: 32 of degF
 };
