@@ -93,7 +93,8 @@ std::vector<UnitFamily> families_of_fluids()
     {"kgf/cm2", 1e4L * gravity, "kg/cm2 kgcm2 ksc at kp/cm2 kgf/cm2(g) kg/cm2g kg/cm2(g)"},
         {"psi", psi, "psig psi(g) lbf/in2 lb/in2 lbs/in2"},
         {"ksi", 1e3L * psi, "kpsi"},
-    {"lbf/100ft2", pound_force / (100.0L * foot * foot), "lb/100ft2"},
+    {"lbf/100ft2", pound_force / (100.0L * foot * foot), "lb/100ft2 lbs/100ft2 lbf/100.ft2 lb/100.ft2 lbs/100.ft2 lbf/100sqft "
+        "lb/100sqft lbs/100sqft lbf/100.sqft lb/100.sqft lbf/100.sq.ft lb/100.sq.ft lbs/100.sq.ft"},
     {"lbf/ft2", pound_force / (foot * foot), "psf", rare}, {"hPa", 100.0L, "mbar", rare}, {"hbar", 1e7L, "", rare},
         {"kgf/m2", gravity, "", rare},
     {"kgf/mm2", 1e6L * gravity, "", rare}}},
@@ -113,7 +114,7 @@ std::vector<UnitFamily> further_families()
   return {
   {"a viscosity", {{"Pa.s", 1.0L}, {"mPa.s", 1e-3L}, {"cP", 1e-3L}}},
   {"a consistency", {{"Pa.s^n", 1.0L}, {"mPa.s^n", 1e-3L, "eq.cp"},
-      {"lbf.s^n/100ft2", pound_force / (100.0L * foot * foot), "lb.sn/100ft2"}}},
+      {"lbf.s^n/100ft2", pound_force / (100.0L * foot * foot), "lb.sn/100ft2 lbf.sn/100.ft2 lb.sn/100.ft2"}}},
   {"a speed", {
     {"m/s", 1.0L, "m/sec"}, {"m/min", 1.0L / minute, "mpm mtr/min"}, {"m/h", 1.0L / hour, "m/hr mph mtr/hr"},
     {"ft/s", foot, "fps ft/sec"}, {"ft/min", foot / minute, "fpm feet/min"}, {"ft/h", foot / hour, "ft/hr fph feet/hr feet/hour"},

@@ -41,6 +41,8 @@ void add_rig(const RigSpec& rig, std::vector<Sized>& all)
 {
   const std::string hoisting = "rig.hoisting.", drive = "rig.top_drive.", pump = "rig.mud_pump.";
   all.push_back({hoisting + "block_mass", rig.hoisting.block_mass, 300.0, any, "kg", "blocks weigh (1 to 60 t)"});
+  all.push_back({hoisting + "sheaves", static_cast<double>(rig.hoisting.sheaves), 0.0, 8.0, "",
+                 "travelling blocks have (2 to 8); lines strung are twice as many"});
   all.push_back({hoisting + "max_hook_load", rig.hoisting.max_hook_load, 2e4, any, "N", "rigs lift (50 kN to 10 MN)"});
   all.push_back({hoisting + "crown_height", rig.hoisting.crown_height, 0.0, 90.0, "m", "masts are high (10 to 65 m)"});
   all.push_back({drive + "max_torque", rig.top_drive.max_torque, 500.0, any, "N m", "drives turn with (2 to 150 kN m)"});

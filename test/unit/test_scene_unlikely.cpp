@@ -24,14 +24,16 @@ std::vector<std::string> remarks(const std::string& setting)
 TEST(SceneUnlikely, SlipsOfUnitsAreReported)
 {
   const std::vector<std::pair<std::string, std::string>> slips = {
-      {"rig.hoisting.block_mass=20", "20 kg is less than blocks weigh"},                        // t
-      {"rig.hoisting.crown_height=150", "150 m is more than masts are high"},                   // ft
-      {"rig.top_drive.max_torque=50", "50 N m is less than drives turn with"},                  // kN m
-      {"rig.top_drive.max_power=1000", "1000 W is less than drives have"},                      // hp
-      {"rig.mud_pump.max_flow=0.6", "0.6 m3/s is more than pumps of a rig deliver"},            // 600 gpm
-      {"rig.mud_pump.relief_pressure=350000", "350000 Pa is less than relief valves open at"},  // hundreds of kPa
-      {"rig.mud_pump.stroke_volume=0.00016", "0.00016 m3 is less than a stroke delivers"},      // a hundredth
-      {"string[0].length=30", "30 m is more than bits are long"},                               // cm
+      {"rig.hoisting.block_mass=20", "20 kg is less than blocks weigh"},  // t
+      {"rig.hoisting.sheaves=10",
+       "10 is more than travelling blocks have (2 to 8); lines strung are twice as many; is it right?"},  // lines
+      {"rig.hoisting.crown_height=150", "150 m is more than masts are high"},                             // ft
+      {"rig.top_drive.max_torque=50", "50 N m is less than drives turn with"},                            // kN m
+      {"rig.top_drive.max_power=1000", "1000 W is less than drives have"},                                // hp
+      {"rig.mud_pump.max_flow=0.6", "0.6 m3/s is more than pumps of a rig deliver"},                      // 600 gpm
+      {"rig.mud_pump.relief_pressure=350000", "350000 Pa is less than relief valves open at"},            // hundreds of kPa
+      {"rig.mud_pump.stroke_volume=0.00016", "0.00016 m3 is less than a stroke delivers"},                // a hundredth
+      {"string[0].length=30", "30 m is more than bits are long"},                                         // cm
       {"string[1].yield_strength=9.3e6", "9.3e+06 Pa is less than pipe stands"},
       {"string[1].make_up_torque=25", "25 N m is less than joints are made up with"},  // kft.lbf
       {"well.sections[0].friction=2.5", "2.5 is more than steel has on rock or casing (0.05 to 0.5); is it right?"},
@@ -55,6 +57,7 @@ TEST(SceneUnlikely, WhatRigsHaveIsNot)
 {
   for (const char* setting : {"name=s",
                               "rig.hoisting.block_mass=500",
+                              "rig.hoisting.sheaves=8",
                               "rig.hoisting.crown_height=65",
                               "rig.top_drive.max_torque=2000",
                               "rig.top_drive.max_power=50e3",
