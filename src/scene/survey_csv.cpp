@@ -226,14 +226,17 @@ bool has_quoted_commas(const SurveyRows& survey)
   return comma;
 }
 
-// A file has decimal points or decimal commas: beside these, 1.000 may be a thousand.
+// A file has decimal points or decimal commas: beside these, 1.000 may be a thousand. Cells that are no numbers are reported
+// later.
 void check_points(const SurveyRows& survey, Problems& problems)
 {
   const auto find = [&](char sign) -> std::pair<int, std::string>
   {
+    double value = 0.0;
     for (const SurveyRow& row : survey.rows)
       for (std::size_t i = 0; i < needed_quantities; ++i)
-        if (row.cells[i].find(sign) != std::string::npos) return {row.line, row.cells[i]};
+        if (row.cells[i].find(sign) != std::string::npos && read_cell(row.cells[i], true, value) == CellKind::number)
+          return {row.line, row.cells[i]};
     return {0, ""};
   };
   const auto [comma_line, comma] = find(',');

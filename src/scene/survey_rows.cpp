@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <locale>
+#include <regex>
 #include <sstream>
 
 namespace drill_rig_sim
@@ -16,6 +17,17 @@ bool is_empty_text(const std::string& cell)
 {
   const std::string text = lowered(cell);
   return text.empty() || text == "-" || text == "--" || text == "null" || text == "n/a" || text == "na";
+}
+
+constexpr std::size_t longest_shown = 24;
+
+// with the mark of a footnote or a unit behind the number: 2000.0*, 2000.01), 2000.0 m; of superscripts and daggers in UTF-8
+bool has_mark(const std::string& cell)
+{
+  static const std::string mark =
+      "([*+)]|[0-9a-zA-Z][)]|[([][0-9a-zA-Z][)\\]]|[a-df-h]|m|ft|\xc2\xb9|\xc2\xb2|\xc2\xb3|\xe2\x80\xa0|\xe2\x80\xa1)";
+  static const std::regex form("[+-]?[0-9][0-9.,']*( ?" + mark + "){1,2}");
+  return cell.size() <= longest_shown && std::regex_match(cell, form);
 }
 
 // 12,5 as 12.5; a comma beside a point, or two of them, stays and is wrong
@@ -43,14 +55,19 @@ std::string north_remark(const std::string& north)
 
 std::string shown_cell(const std::string& cell)
 {
-  constexpr std::size_t longest = 24;
   const std::string lower = lowered(cell);
   const bool like_number =
       lower.find_first_of("0123456789") != std::string::npos && lower.find_first_not_of("0123456789+-.,'e ") == std::string::npos;
   for (const char* word : {"nan", "inf", "infinity", "null", "n/a", "na", "-", "--"})
     if (lower == word || lower == std::string("-") + word || lower == std::string("+") + word) return "\"" + cell + "\"";
   if (cell.empty()) return "nothing";
-  return like_number && cell.size() <= longest ? "\"" + cell + "\"" : "text";
+  return (like_number && cell.size() <= longest_shown) || has_mark(cell) ? "\"" + cell + "\"" : "text";
+}
+
+std::string number_problem(const std::string& cell)
+{
+  return (has_mark(cell) ? "must be a number without a mark or a unit behind it (got " : "must be a finite number (got ") +
+         shown_cell(cell) + ")";
 }
 
 }  // namespace drill_rig_sim

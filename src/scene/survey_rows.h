@@ -74,6 +74,9 @@ std::string north_remark(const std::string& north);
 /// A cell for a message: what could not be read as a number, but no text, for the file may be a wrong one.
 std::string shown_cell(const std::string& cell);
 
+/// Why a cell that read_cell() calls wrong is no number.
+std::string number_problem(const std::string& cell);
+
 }  // namespace drill_rig_sim
 
 #endif

@@ -98,9 +98,8 @@ private:
 
   std::string problem_of(const std::string& cell, CellKind kind) const
   {
-    const std::string got = " (got " + shown_cell(cell) + ")";
-    return (kind == CellKind::wrong ? "must be a finite number" + got : "has no value" + got + "; " + how_to_pass_over) + "; " +
-           survey_.taken;
+    const std::string none = "has no value (got " + shown_cell(cell) + "); " + how_to_pass_over;
+    return (kind == CellKind::wrong ? number_problem(cell) : none) + "; " + survey_.taken;
   }
 
   void add(const SurveyStation& station, const SurveyRow& row)
@@ -125,8 +124,7 @@ std::optional<TieIn> tie_in_of(const SurveyRows& survey, const SurveyRow& row, b
   {
     if (survey.names[i].empty()) return std::nullopt;
     const bool good = read_cell(row.cells[i], survey.decimal_commas, place[i - survey_north]) == CellKind::number;
-    if (needed && !good)
-      problems.add_at(row.line, survey.names[i], "must be a finite number (got " + shown_cell(row.cells[i]) + ")");
+    if (needed && !good) problems.add_at(row.line, survey.names[i], number_problem(row.cells[i]));
     if (needed && good && !row.units[i])
       problems.add_at(row.line, survey.names[i],
                       "the header gives no unit of the tie-in, needed: " + survey_unit_names(false) + " (" + how_to_map + ")");

@@ -117,4 +117,18 @@ TEST(SceneSurvey, DigitsInGroups)
   EXPECT_TRUE(holds(refusal(head + above + "1.234,5;2.5;40\n"), "the file mixes decimal commas and decimal points"));
   EXPECT_TRUE(holds(refusal(head + above + "1 23,5;2,5;40\n"), ":4: MD (m): must be a finite number (got \"1 23,5\")"));
 }
+
+// A table copied from a report: the mark is the problem, not the decimal sign.
+TEST(SceneSurvey, MarksOfFootnotes)
+{
+  const std::string head = "MD (ft);Inc (deg);Azi (deg)\n0,0;0,0;0,0\n1.500,0;1,5;40,0\n";
+  for (const char* cell :
+       {"2.000,01)", "2.000,0*", "2.000,0 **", "2.000,0\xc2\xb9", "2.000,0 (1)", "2.000,0 a)", "2.000,0 m", "2.000,0 [2]"})
+    EXPECT_TRUE(holds(refusal(head + cell + ";2,5;40,0\n"),
+                      ":4: MD (ft): must be a number without a mark or a unit behind it (got \"" + std::string(cell) + "\")"))
+        << refusal(head + cell + ";2,5;40,0\n");
+  EXPECT_TRUE(holds(refusal(head + "2.000,0;2,5 1);40,0\n"), ":4: Inc (deg): must be a number without a mark"));
+  EXPECT_TRUE(holds(refusal(head + "2.000,0\xe2\x80\xa0;2,5;40,0\n"), ":4: MD (ft): must be a number without a mark"));
+  EXPECT_TRUE(holds(refusal(head + "2000 secret;2,5;40,0\n"), ":4: MD (ft): must be a finite number (got text)"));
+}
 }  // namespace drill_rig_sim::test_scene_survey_cells
