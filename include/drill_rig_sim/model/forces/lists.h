@@ -36,7 +36,7 @@ struct ForceList
 /// `guided_string`. Order: beams first, they write the tangent's blocks; the bit behind the wall, whose force it reads; the
 /// guided string behind all that acts on its nodes; the rail last, it overwrites rows. Sums are rounded in this order, to the
 /// last digit.
-inline constexpr std::array<const Force*, 16> force_table = {
+inline constexpr std::array force_table = {
     &beams,       &mud_drag, &inertia, &squeeze_film, &wall,     &span_wall, &guided_gauge,  &bit_on_bottom,
     &stuck_point, &slips,    &pads,    &place_drag,   &hoisting, &top_drive, &guided_string, &guide_rail,
 };
