@@ -11,11 +11,12 @@ from drill_rig_sim.calibrate_prediction import UNITS, draw, lines, remarks
 from drill_rig_sim.field.fit import FitError, Problem, fit
 from drill_rig_sim.field.fit_plan import ModelError, PlanError, RecordError, read_fit
 from drill_rig_sim.field.fitted import Fitted, parameter_as_json, read_fitted
-from drill_rig_sim.field.models import Evaluator, RecordModel
+from drill_rig_sim.field.models import Evaluator, RecordModel, TableModel
 from drill_rig_sim.field.prediction import Prediction
 from drill_rig_sim.field.progress import Pace
 from drill_rig_sim.json_file import write_json
 from drill_rig_sim.lockstep import Refused
+from drill_rig_sim.refusal import told
 from drill_rig_sim.score_command import BAD_INPUT, FAILED, GOOD
 
 BEYOND = 3.0  # of a record's noise, so much is more than noise
@@ -167,7 +168,10 @@ def apply_and_tell(options, plan, problem, fitted, why):
 def calibrate(options):
     fitted = read_fitted(options.apply) if options.apply else None
     plan = read_fit(options.fit, fitted)
-    print("".join("drill calibrate: %s\n" % line for line in plan.scene_remarks + plan.model.remarks), end="", file=sys.stderr)
+    said = plan.scene_remarks + plan.model.remarks
+    if isinstance(plan.model, TableModel):
+        said += plan.model.drag_remarks([parameter.start for parameter in plan.parameters if parameter.signal is None])
+    print("".join("drill calibrate: %s\n" % line for line in said), end="", file=sys.stderr)
     progress = Progress()
     evaluator = Evaluator(plan.model, options.workers, options.scheduler, progress)
     problem = Problem(plan.parameters, evaluator, plan.model.observed, plan.model.signals, plan.fitted, progress.expect,
@@ -194,7 +198,7 @@ def main(words):
         print("drill calibrate: %s; needed: Debian's python3-scipy for a fit, python3-matplotlib for --plots, python3-distributed for --scheduler" % error, file=sys.stderr)
         return FAILED
     except (PlanError, RecordError, ModelError, FitError, Refused) as error:
-        print("drill calibrate: %s" % error, file=sys.stderr)
+        print(told("drill calibrate", error), file=sys.stderr)
         return BAD_INPUT
     except OSError as error:
         print("drill calibrate: %s: %s" % (error.filename, error.strerror), file=sys.stderr)

@@ -33,10 +33,11 @@ def units():
     return _sim.units()
 
 
-def static(scene, motion="none"):
+def static(scene, motion="none", speed=0.0, rotation=0.0, flow=0.0):
     """Loads of the string as it hangs at a scene's start, by name, as drill static prints them [N], [N m]; `hook_load_gauge` as the scene's gauge
-    shows it while the block moves; after a way up or down of a block that stands again `hook_load_gauge_after_up`, `hook_load_gauge_after_down`. motion: none (without friction), up, down or rotate."""
-    return _sim.static_loads(found(scene, "config/scenes"), motion)
+    shows it while the block moves; after a way up or down of a block that stands again `hook_load_gauge_after_up`, `hook_load_gauge_after_down`. motion: none (without friction), up, down or rotate;
+    or `speed`, + up [m/s], and `rotation` [rad/s], with the drag of the mud at these. flow: of the pump [m3/s]. `annulus_pressure`: at the bit, above the mud's at rest [Pa]."""
+    return _sim.static_loads(found(scene, "config/scenes"), motion, speed, rotation, flow)
 
 
 def empty_block(scene, direction=0):

@@ -134,20 +134,29 @@ double empty_block(const std::string& scene_file, int direction)
   return shown(scene, standard_gravity * scene.rig.hoisting.block_mass, direction);
 }
 
-/// Loads of a scene's string as it hangs at its start, in SI units: static_report() of a motion as `drill static` names it.
-py::dict static_loads(const std::string& scene_file, const std::string& motion)
+/// As `drill static` names it.
+SlidingMotion motion_called(const std::string& name)
 {
   const std::map<std::string, SlidingMotion> motions = {
       {"none", no_sliding}, {"up", sliding_up}, {"down", sliding_down}, {"rotate", sliding_around}};
-  const auto found = motions.find(motion);
-  if (found == motions.end())
-    throw std::runtime_error("motion: '" + motion + "' is not known, allowed: none, up, down or rotate");
+  const auto found = motions.find(name);
+  if (found == motions.end()) throw std::runtime_error("motion: '" + name + "' is not known, allowed: none, up, down or rotate");
+  return found->second;
+}
+
+/// Loads of a scene's string as it hangs at its start, in SI units: static_report() of a motion with that name, or in the mud at
+/// a speed, + up, and rotation; with a flow of the pump.
+py::dict static_loads(const std::string& scene_file, const std::string& motion, double speed, double rotation, double flow)
+{
+  const SlidingMotion called = motion_called(motion), given{-speed, rotation};
+  if (!given.still() && !called.still())
+    throw std::runtime_error("motion: '" + motion + "' is not allowed together with a speed or a rotation");
   StaticReport report;
   Scene scene;
   {
     const py::gil_scoped_release others;
     scene = read_scene(scene_file);
-    report = static_report(scene, found->second);
+    report = static_report(scene, given.still() ? called : given, {!given.still(), flow});
   }
   py::dict loads;
   loads["hook_load"] = report.hook_load;
@@ -158,6 +167,7 @@ py::dict static_loads(const std::string& scene_file, const std::string& motion)
   loads["torque"] = report.torque;
   loads["wob"] = report.outcome.forces.wob;
   loads["bit_side_force"] = report.bit_side_force;
+  loads["annulus_pressure"] = report.annulus_pressure;
   return loads;
 }
 
@@ -201,7 +211,8 @@ py::tuple read_text(const std::string& file, std::size_t longest)
 void bind_functions(py::module_& module)
 {
   module.def("build", build);
-  module.def("static_loads", static_loads);
+  module.def("static_loads", static_loads, py::arg("scene"), py::arg("motion"), py::arg("speed") = 0.0, py::arg("rotation") = 0.0,
+             py::arg("flow") = 0.0);
   module.def("empty_block", empty_block);
   module.def("plain_scene", plain_scene);
   module.def("scene_remarks", scene_remarks);

@@ -10,20 +10,20 @@ from drill_rig_sim.field.moves import OFF_BOTTOM, moves_of
 from drill_rig_sim.field.record import RecordError, read_record
 from drill_rig_sim.field.window import between, inside, limits, stretches
 from drill_rig_sim.json_file import write_json
-from drill_rig_sim.refusal import Refusal
+from drill_rig_sim.refusal import Refusal, after, told
 from drill_rig_sim.score_command import BAD_INPUT, GOOD
 from drill_rig_sim.units import SYSTEMS, Units
 
 # of the table: column, motions whose load it holds
 WEIGHTS = ("pick_up", "slack_off", "rotating_after_up", "rotating_after_down", "slips_up", "slips_down")
-HEADER = ["motion", "begin (s)", "end (s)", "rows", "speed (m/s)", "rotation (rad/s)", "flow (m3/s)", "deviation (N)", "depth (m)", *("%s (N)" % name for name in WEIGHTS), "torque (N.m)"]
+HEADER = ["motion", "begin (s)", "end (s)", "rows", "speed (m/s)", "rotation (rad/s)", "flow (m3/s)", "deviation (N)", "depth (m)", "block_height (m)", *("%s (N)" % name for name in WEIGHTS), "torque (N.m)"]
 
 
 def rows_of(moves):
     """Of the table, in SI; "" where a move has no such number."""
     for move in moves:
         turned = move.motion.startswith("rotating")
-        numbers = [move.from_time, move.to_time, move.count, move.speed, move.rotation, move.flow, move.deviation, move.depth,
+        numbers = [move.from_time, move.to_time, move.count, move.speed, move.rotation, move.flow, move.deviation, move.depth, move.block_height,
                    *(move.load if move.motion == name else None for name in WEIGHTS), move.torque if turned else None]
         yield [move.motion] + ["" if number is None else "%.9g" % number for number in numbers]
 
@@ -36,7 +36,7 @@ def write_table(moves, file):
 
 
 def write_moves(moves, file):
-    names = ("motion", "from_time", "to_time", "count", "depth", "load", "deviation", "torque", "speed", "rotation", "flow")
+    names = ("motion", "from_time", "to_time", "count", "depth", "block_height", "load", "deviation", "torque", "speed", "rotation", "flow")
     write_json([{name: getattr(move, name) for name in names} for move in moves], file)
 
 
@@ -57,7 +57,7 @@ def remarks_on(record, moves, odd):
         lines.append("%s: has no hole_depth: the bit counts as off bottom where it is %g m or more above its deepest position so far" % (record.name, OFF_BOTTOM))
     pumped = [move for move in moves if move.pumped]
     if pumped:
-        lines.append("%s: the pump ran in %d of %d moves; drill calibrate fits weights without flow: compare with --no-flow" % (record.name, len(pumped), len(moves)))
+        lines.append("%s: the pump ran in %d of %d moves; drill calibrate adds what the flow lifts by the scene's mud: compare with --no-flow" % (record.name, len(pumped), len(moves)))
     if not any(move.empty for move in moves):
         lines.append("%s: the block never moves with the string in the slips: the weight of the empty block is not known" % record.name)
     return lines
@@ -72,9 +72,10 @@ def not_measured(record):
 def found_in(options):
     """(record, its moves, lines on what is no move) by the command line."""
     record = read_record([options.record, *options.more], options.columns)
-    left_out = stretches(options.leave_out, record)
-    record = between(record, *limits(record, options.from_time, options.to_time))
-    moves, odd = moves_of(record, inside(record.signals["time"], left_out))
+    with after(lambda: record.remarks):
+        left_out = stretches(options.leave_out, record)
+        record = between(record, *limits(record, options.from_time, options.to_time))
+        moves, odd = moves_of(record, inside(record.signals["time"], left_out))
     return record, [move for move in moves if not (options.no_flow and move.pumped)], odd
 
 
@@ -93,7 +94,8 @@ def main(words):
     try:
         record, moves, odd = found_in(options)
         if not moves:
-            raise RecordError("%s: holds no steady pick-up, slack-off or rotating off bottom%s" % (record.name, "".join("; " + line for line in not_measured(record) + odd)))
+            with after(lambda: record.remarks):
+                raise RecordError("%s: holds no steady pick-up, slack-off or rotating off bottom%s" % (record.name, "".join("; " + line for line in not_measured(record) + odd)))
         for write, file in ((write_table, options.csv), (write_moves, options.json)):
             if file:
                 write(moves, file)
@@ -101,7 +103,7 @@ def main(words):
         print("".join("drill weights: %s\n" % line for line in remarks_on(record, moves, odd)), end="", file=sys.stderr)
         return GOOD
     except Refusal as error:
-        print("drill weights: %s" % error, file=sys.stderr)
+        print(told("drill weights", error), file=sys.stderr)
         return BAD_INPUT
     except OSError as error:
         print("drill weights: %s: %s" % (error.filename, error.strerror), file=sys.stderr)

@@ -62,11 +62,18 @@ constexpr double most_work = 10e6, first_work = 3e6;  // [nodes times iterations
 /// The same on bringing the scene's weight back to the bit, of all meshes together.
 constexpr double most_weight_work = 5e6;
 
-StaticOutcome solve_within(double& work, const SlidingMotion& sliding, RigAtRest& rig, double first_share,
+/// How the string moves, and whether the mud drags on it at that speed.
+struct StringMotion
+{
+  SlidingMotion sliding;
+  bool in_mud = false;
+};
+
+StaticOutcome solve_within(double& work, const StringMotion& motion, RigAtRest& rig, double first_share,
                            int most_iterations = most_static_iterations)
 {
   const double most = std::clamp(work / rig.model->nodes(), 1.0, 1.0 * most_iterations);
-  StaticOutcome outcome = solve_static(*rig.model, rig.state, sliding, static_cast<int>(most), first_share);
+  StaticOutcome outcome = solve_static(*rig.model, rig.state, motion.sliding, static_cast<int>(most), first_share, motion.in_mud);
   work -= 1.0 * outcome.iterations * rig.model->nodes();
   return outcome;
 }
@@ -91,14 +98,14 @@ void put_top(double height, State& state) noexcept
 /// Full slip from the frictionless start. Pipe that is pushed into a helix at once may rest with fewer turns than one that is
 /// slacked off: where there is a helix, the friction is raised by and by, if it then rests at all. `first_share`: of the friction
 /// that is tried first.
-StaticOutcome slide(const SlidingMotion& sliding, double first_share, double& work, RigAtRest& rig)
+StaticOutcome slide(const StringMotion& motion, double first_share, double& work, RigAtRest& rig)
 {
   const State start = rig.state;
-  StaticOutcome at_once = solve_within(work, sliding, rig, first_share);
+  StaticOutcome at_once = solve_within(work, motion, rig, first_share);
   if (!at_once.converged || at_once.gradual || buckled_pipe(*rig.model, rig.state, at_once.forces).helical == 0.0) return at_once;
   const State found = rig.state;
   rig.state = start;
-  StaticOutcome gradual = solve_within(work, sliding, rig, gradual_share);
+  StaticOutcome gradual = solve_within(work, motion, rig, gradual_share);
   if (gradual.converged) return gradual;
   rig.state = found;
   return at_once;
@@ -112,12 +119,12 @@ struct StaticWork
 
 /// Slips the string on until the bit carries the scene's weight again, or none as in the scene, which friction has changed: by
 /// secants, for friction holds part of what is slipped on, and by halves where so much at once finds no equilibrium.
-StaticOutcome hold_weight(const Scene& scene, const SlidingMotion& sliding, double first_share, StaticWork& work, RigAtRest& rig)
+StaticOutcome hold_weight(const Scene& scene, const StringMotion& motion, double first_share, StaticWork& work, RigAtRest& rig)
 {
   constexpr int most_rounds = 20, most_tried = 500;
   constexpr double least_slip = 1e-3;                                                         // [m]
   const double wanted = scene.start.weight_on_bit, tolerance = std::max(1e-4 * wanted, 1.0);  // [N]
-  StaticOutcome outcome = slide(sliding, first_share, work.friction, rig);
+  StaticOutcome outcome = slide(motion, first_share, work.friction, rig);
   if (!outcome.converged) return outcome;
   double weight = outcome.forces.wob;  // of the last equilibrium
   LengthSearch slipped_on;             // of the top, down from the table: what is slipped on comes to the bit as weight
@@ -132,13 +139,13 @@ StaticOutcome hold_weight(const Scene& scene, const SlidingMotion& sliding, doub
     {
       rig.state = found;
       put_top(top - slip, rig.state);
-      outcome = solve_within(work.weight, sliding, rig, 1.0, most_tried);
+      outcome = solve_within(work.weight, motion, rig, 1.0, most_tried);
       slip *= 0.5;
     } while (!outcome.converged && std::abs(slip) > least_slip && work.weight > 0.0);
     if (outcome.converged || work.weight <= 0.0) continue;
     rig.state = found;
     put_top(top - 2.0 * slip, rig.state);
-    return solve_within(work.weight, sliding, rig, 1.0);
+    return solve_within(work.weight, motion, rig, 1.0);
   }
   if (outcome.converged && std::abs(outcome.forces.wob - wanted) < tolerance) return outcome;
   std::ostringstream message;
@@ -239,12 +246,40 @@ void fill_profile(const Model& model, const State& s, const RigForces& forces, S
 
 namespace
 {
+/// The mud's pressures in steady flow, by the laws of a run: in steps that outlast all that changes with time.
+void settle_mud(const SlidingMotion& sliding, const MovingMud& mud, RigAtRest& rig)
+{
+  constexpr int most_steps = 20;
+  constexpr double long_step = 1e4, same = 0.1;  // [s], [Pa]
+  State& state = rig.state;
+  const std::vector<NodeState> at_rest = state.nodes;
+  if (mud.by_string)
+  {
+    for (NodeState& node : state.nodes) node.rate.velocity = sliding.axial_speed * x_axis(node.orientation);
+    state.drive.speed = sliding.spin_speed;
+  }
+  double change = HUGE_VAL;
+  for (int k = 0; k < most_steps && std::abs(change) > same; ++k)
+  {
+    const double before = state.hydraulics.annulus_pressure;
+    advance_mud(*rig.model, mud.flow, long_step, state);
+    change = state.hydraulics.annulus_pressure - before;
+  }
+  state.nodes = at_rest;
+  state.drive.speed = 0.0;
+}
+
 /// Only loads and warnings, where there is no equilibrium.
-StaticReport report_on(const Scene& scene, const SlidingMotion& sliding, double first_share, StaticWork& work)
+StaticReport report_on(const Scene& scene, const SlidingMotion& sliding, const MovingMud& mud, double first_share,
+                       StaticWork& work)
 {
   RigAtRest rig = build_at_rest(scene);
+  const double pressure_at_rest = pressures_in_mud(*rig.model, rig.state).annulus;
+  if (mud.moves()) settle_mud(sliding, mud, rig);
   StaticReport report;
-  report.outcome = sliding.still() ? rig.statics : hold_weight(scene, sliding, first_share, work, rig);
+  report.annulus_pressure = pressures_in_mud(*rig.model, rig.state).annulus - pressure_at_rest;
+  report.outcome =
+      sliding.still() && !mud.moves() ? rig.statics : hold_weight(scene, {sliding, mud.by_string}, first_share, work, rig);
   report.loads = StringWatch(*rig.model).look(*rig.model, rig.state, report.outcome.forces);
   report.buckled = buckled_pipe(*rig.model, rig.state, report.outcome.forces);
   report.accuracy = doubt_of_string(*rig.model, rig.state, report.outcome.forces);
@@ -290,16 +325,17 @@ bool refine(NumericsSpec& numerics, bool pushed)
 }
 }  // namespace
 
-StaticReport static_report(const Scene& scene, const SlidingMotion& sliding)
+StaticReport static_report(const Scene& scene, const SlidingMotion& sliding, const MovingMud& mud)
 {
   Scene meshed = scene, finer = scene;
+  meshed.pressure_waves.reset();  // in steady flow there are none
   const bool pushed = pushed_length(scene) > 0.0;
   double refined = 0.0, first_share = 1.0;
   StaticWork work{refine(finer.numerics, pushed) ? first_work : most_work};
   std::optional<StaticReport> best;
   while (true)
   {
-    StaticReport report = report_on(meshed, sliding, first_share, work);
+    StaticReport report = report_on(meshed, sliding, mud, first_share, work);
     report.refined_length = refined;
     if (outweighs_block(scene, report.outcome)) refuse(report);
     if (!best || report.outcome.converged || (!best->outcome.converged && report.outcome.share > best->outcome.share))

@@ -61,8 +61,8 @@ double largest_of_turning(const std::vector<double>& move, const std::vector<Vec
 class StaticForces
 {
 public:
-  StaticForces(const Model& model, const State& state, const ToolfaceHold& hold)
-      : stage(model), work(model), model_(model), state_(state), hold_(hold)
+  StaticForces(const Model& model, const State& state, const ToolfaceHold& hold, bool in_mud)
+      : stage(model), work(model), model_(model), state_(state), hold_(hold), in_mud_(in_mud)
   {
   }
 
@@ -74,6 +74,7 @@ public:
   void evaluate(const double* u, double* residual, BlockTridiagonal* tangent) noexcept
   {
     evaluate_static(model_, state_, stage, u, work, residual, tangent);
+    if (in_mud_) add_mud_drag(residual);
     if (hold_.node < 0) return;
     const Vector3d axis = x_axis(work.nodes[static_cast<std::size_t>(hold_.node)].orientation);
     at_node(residual, hold_.node).tail<3>() -= torque() * axis;
@@ -93,9 +94,23 @@ public:
   Workspace work;
 
 private:
+  /// What the force mud_drag is at the speeds of the motion, which the stage's nodes do not have.
+  void add_mud_drag(double* residual) const noexcept
+  {
+    for (int i = 0; i < model_.nodes(); ++i)
+    {
+      const MeshNode& node = model_.mesh().nodes[static_cast<std::size_t>(i)];
+      const Vector3d down =
+          stage.guides.guided[static_cast<std::size_t>(i)] ? Vector3d(stage.guides.tangent[i]) : Vector3d(stage.normal[i]);
+      at_node(residual, i).head<3>() += stage.immersed[i] * node.mud_along * stage.sliding.axial_speed * down;
+      at_node(residual, i).tail<3>() += stage.immersed[i] * node.mud_about * stage.sliding.spin_speed * down;
+    }
+  }
+
   const Model& model_;
   const State& state_;
   const ToolfaceHold hold_;
+  const bool in_mud_;
 };
 
 /// Steps of pseudo-time, each one Newton iteration from rest; returns the iterations used. An increment that the forces do not
@@ -198,9 +213,9 @@ KinsolOutcome finish(const Model& model, State& state, const SlidingMotion& slid
 
 /// From the guess `state` to the equilibrium with the friction that `sliding` says, in one go.
 StaticOutcome attempt(const Model& model, State& state, const SlidingMotion& sliding, int most_iterations,
-                      const ToolfaceHold& hold)
+                      const ToolfaceHold& hold, bool in_mud)
 {
-  StaticForces forces(model, state, hold);
+  StaticForces forces(model, state, hold, in_mud);
   StaticOutcome out;
   for (int round = 0; round < kMostRounds && !out.converged && (round == 0 || out.iterations < most_iterations); ++round)
   {
@@ -226,14 +241,14 @@ StaticOutcome attempt(const Model& model, State& state, const SlidingMotion& sli
 
 StaticOutcome solve_held(const Model& model, State& state, const ToolfaceHold& hold, int most_iterations)
 {
-  return attempt(model, state, no_sliding, most_iterations, hold);
+  return attempt(model, state, no_sliding, most_iterations, hold, false);
 }
 
 StaticOutcome solve_static(const Model& model, State& state, const SlidingMotion& sliding, int most_iterations,
-                           double first_share)
+                           double first_share, bool in_mud)
 {
   const ToolfaceHold free;
-  if (sliding.still()) return attempt(model, state, sliding, most_iterations, free);
+  if (sliding.still()) return attempt(model, state, sliding, most_iterations, free, in_mud);
   SlidingMotion part = sliding;
   StaticOutcome found;
   found.share = 0.0;
@@ -242,7 +257,7 @@ StaticOutcome solve_static(const Model& model, State& state, const SlidingMotion
   {
     part.share = std::min(1.0, found.share + step);
     State next = state;
-    StaticOutcome outcome = attempt(model, next, part, std::min(kMostTried, most_iterations - found.iterations), free);
+    StaticOutcome outcome = attempt(model, next, part, std::min(kMostTried, most_iterations - found.iterations), free, in_mud);
     outcome.iterations += found.iterations;
     if (outcome.converged)
     {

@@ -21,7 +21,7 @@ struct StaticOptions
   std::string scene;
   std::vector<std::string> settings;
   std::string motion = "none";
-  std::optional<double> speed, rpm;
+  std::optional<double> speed, rpm, flow;
   std::string csv, units = "si";
 };
 
@@ -72,6 +72,9 @@ void print_report(const StaticReport& report, const Printed& printed)
   };
   share("yield", "its yield strength", report.loads.stress);
   share("buckling", "its critical buckling load", report.loads.buckling);
+  if (report.annulus_pressure != 0.0)
+    std::printf("annulus          %12s at the bit, added to the pressure of the mud at rest\n",
+                printed(report.annulus_pressure, Dimension::pressure, {"%.3f", "MPa", 1e-6}).c_str());
   print_buckled(report.buckled, printed);
   print_pushed(report, printed);
   if (report.refined_length > 0.0)
@@ -104,7 +107,7 @@ void print_static(const StaticOptions& options)
   StaticReport report;
   try
   {
-    report = static_report(scene, motion);
+    report = static_report(scene, motion, {options.speed || options.rpm, options.flow.value_or(0.0)});
   }
   catch (const std::exception& e)
   {
@@ -129,9 +132,10 @@ Command add_static_command(CLI::App& drill)
   add_file(*words, "SCENE", options->scene, "the scene's file");
   add_text(*words, "--motion", options->motion, "M", "none (frictionless, the default), up, down or rotate");
   add_number(*words, "--speed", options->speed, -20.0, 20.0, "M/S",
-             "moves along the hole instead, + up, and turns at --rpm [m/s]");
+             "moves along the hole instead, + up, and turns at --rpm, with the drag of the mud [m/s]");
   add_number(*words, "--rpm", options->rpm, -1000.0, 1000.0, "N",
-             "turns instead, + clockwise, and moves at --speed; their ratio counts [rpm]");
+             "turns instead, + clockwise, and moves at --speed, with the drag of the mud [rpm]");
+  add_number(*words, "--flow", options->flow, 0.0, 1.0, "M3/S", "flow of the pump [m3/s]");
   add_text(*words, "--csv", options->csv, "FILE", "writes forces along the string, in SI units");
   add_units(*words, options->units);
   add_settings(*words, options->settings);

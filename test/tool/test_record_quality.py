@@ -108,15 +108,15 @@ class Weights(Folder):
 
     def test_a_model_beside_what_was_measured(self):
         for names in ("pick_up (kN),pick_up (model) (kN)", "pick_up (kN),pick_up planned (kN)"):
-            depths, found, _, _ = self.read_weights("depth (m),%s\n1000,500,450\n2000,800,650\n" % names)
+            depths, found, *_ = self.read_weights("depth (m),%s\n1000,500,450\n2000,800,650\n" % names)
             numpy.testing.assert_allclose(found["pick_up"], [500e3, 800e3])
-        depths, _, _, _ = self.read_weights("depth (TVD) (m),depth (MD) (m),pick_up (kN)\n900,1000,500\n1800,2000,800\n")
+        depths, *_ = self.read_weights("depth (TVD) (m),depth (MD) (m),pick_up (kN)\n900,1000,500\n1800,2000,800\n")
         numpy.testing.assert_allclose(depths, [1000.0, 2000.0])
         with self.assertRaisesRegex(RecordError, "several columns are pick_up: pick_up .kN., pick_up .raw. .kN.; needed: one"):
             self.read_weights("depth (m),pick_up (kN),pick_up (raw) (kN)\n1000,500,450\n")
 
     def test_a_title(self):
-        depths, found, remarks, _ = self.read_weights("Data Type: Model\nWell: A-1\ndepth (m),pick_up (kN)\n1000,500\n2000,800\n")
+        depths, found, remarks, *_ = self.read_weights("Data Type: Model\nWell: A-1\ndepth (m),pick_up (kN)\n1000,500\n2000,800\n")
         numpy.testing.assert_allclose(found["pick_up"], [500e3, 800e3])
         self.assertIn("w.csv: line 1 says that its values are not measured: Data Type: Model", "\n".join(remarks))
 
@@ -124,7 +124,7 @@ class Weights(Folder):
         text = "depth (ft),pick_up (klbf),slack_off (klbf),Status\n3000,100,90,ok\n3500,300,250,BAD\n4000,120,100,ok\n"
         self.file("w.csv", text)
         entry = plan_of(self.file("fit.yaml", "table: {file: w.csv}\n")).mapping(("table",))["table"]
-        depths, found, remarks, _ = weights_of(entry, self.folder)
+        depths, found, remarks, *_ = weights_of(entry, self.folder)
         numpy.testing.assert_allclose(depths, [3000 * FEET, 4000 * FEET])
         numpy.testing.assert_allclose(found["pick_up"], [100 * KLBF, 120 * KLBF])
         self.assertIn("marked BAD by Status", "\n".join(remarks))

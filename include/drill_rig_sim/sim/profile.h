@@ -35,13 +35,24 @@ struct StaticReport
   double bit_side_force = 0.0;      ///< wall on bit, normal [N]
   double bit_side_direction = 0.0;  ///< where the bit pushes the wall, clockwise from the high side looking downhole [rad]
   double bit_tilt = 0.0;            ///< between the bit's axis and the hole's [rad]
+  double annulus_pressure = 0.0;    ///< at the bit, above that of the mud at rest: surge and swab, and the pump's [Pa]
+};
+
+/// How the mud moves while the string slides, in steady flow.
+struct MovingMud
+{
+  bool by_string = false;  ///< the speeds of the sliding are those of the string: the mud has its drag on it, and surge or swab
+  double flow = 0.0;       ///< of the pump [m3/s]
+
+  bool moves() const noexcept { return by_string || flow > 0.0; }
 };
 
 /// The scene's string at its start, then moved as `sliding` says, at rest without friction. Elements that are too long for the
 /// compression that they carry, or with which no equilibrium is found, are halved where friction pushes pipe, down to an eighth
 /// of a joint. Throws std::runtime_error with one line if there is no such equilibrium; it says where the pipe buckles, and
 /// whether it must be pushed in, if it does.
-StaticReport static_report(const Scene& scene, const SlidingMotion& sliding);
+/// @param mud  at rest unless it is given
+StaticReport static_report(const Scene& scene, const SlidingMotion& sliding, const MovingMud& mud = {});
 
 }  // namespace drill_rig_sim
 

@@ -43,9 +43,10 @@ struct ToolfaceHold
 /// a long string out of contact has almost no lateral stiffness, and a full Newton step would throw it through the wall. KINSOL's
 /// Newton method with line search then finishes it, to 1 mN or to what the rounding of the nodes' places leaves of stiff
 /// elements. Where an increment would go uphill, against the forces, more inertia turns it: compressed pipe that snaps across its
-/// hole has no stiffness there. `most_iterations` bounds the work of all together. Allocates; not for use in a frame.
+/// hole has no stiffness there. `most_iterations` bounds the work of all together. `in_mud`: the speeds of `sliding` are those of
+/// the string, which has the mud's linear drag at them (mud_damping.h). Allocates; not for use in a frame.
 StaticOutcome solve_static(const Model& model, State& state, const SlidingMotion& sliding,
-                           int most_iterations = most_static_iterations, double first_share = 1.0);
+                           int most_iterations = most_static_iterations, double first_share = 1.0, bool in_mud = false);
 
 /// The same without friction, and with the bend held by a stiff spring about its axis: for toolfaces in which a long string, soft
 /// in torsion, does not rest by itself. The equilibrium is the string's own where `holding_torque` is 0: the caller turns the top

@@ -9,17 +9,20 @@ from drill_rig_sim.field.column_finder import NOT_MEASURED, VERTICAL
 from drill_rig_sim.field.columns import LAYOUT_KEYS, QUALITY, Column, check_unit, nulls_and_layout, nulls_of, quality_of
 from drill_rig_sim.field.fit import Parameter
 from drill_rig_sim.field.heading import Wanted
-from drill_rig_sim.field.models import MOTIONS, ModelError, Period, RecordModel, TableModel, scene_and_survey
+from drill_rig_sim.field.models import ModelError, Period, RecordModel, TableModel, scene_and_survey
+from drill_rig_sim.field.motions import MOTIONS, WAYS
 from drill_rig_sim.field.native import of_module
 from drill_rig_sim.field.quality import take_flags
 from drill_rig_sim.field.record import COMPARED, RecordError, prefixed, read_record, read_table
 from drill_rig_sim.field.signal_reader import values_of
-from drill_rig_sim.field.signals import words_in
+from drill_rig_sim.field.signals import SIGNALS, words_in
 from drill_rig_sim.field.start import FROM
 from drill_rig_sim.field.table import bare
+from drill_rig_sim.field.units import is_unit
 from drill_rig_sim.field.weight_checks import leave_out_zeros, unlikely
 from drill_rig_sim.field.window import limits, stretches
 from drill_rig_sim.lockstep import Refused
+from drill_rig_sim.refusal import after
 
 OF_RECORDS = ("columns", "signals", "from", "to", "leave_out", "start")
 KEYS = ("scene", "record", "table", "parameters", "held_out", *OF_RECORDS)
@@ -77,7 +80,8 @@ def model_of(entries, base, scene, survey, parameters, signals):
         signals = [item.choice(COMPARED) for item in entries["signals"].sequence()]
     columns = os.path.join(base, entries["columns"].text()) if "columns" in entries else None
     record = read_record([os.path.join(base, item.text()) for item in one_or_more(entries["record"])], columns)
-    return RecordModel(scene, survey, parameters, record, signals, period_of(entries, record))
+    with after(lambda: record.remarks):
+        return RecordModel(scene, survey, parameters, record, signals, period_of(entries, record))
 
 
 def period_of(entries, record):
@@ -127,19 +131,26 @@ def parameter_of(item, scene):
 
 
 def weights_of(entry, base):
-    """Depths, weights, remarks and errors_of(): `table: {file: F, depth: {column, unit}, pick_up: {column, unit}, ...}`; a unit may stand in the file instead. Without columns those that have
+    """Depths, weights, remarks, errors_of() and WAYS: `table: {file: F, depth: {column, unit}, pick_up: {column, unit}, ...}`; a unit may stand in the file instead. Without columns those that have
     these names; the torque, of which a few numbers say little, only where it is named."""
-    parts = entry.mapping(("file", "depth", *MOTIONS, *LAYOUT_KEYS, QUALITY), needed=("file",))
-    columns = {name: weight_column(parts[name], name) for name in ("depth", *MOTIONS) if name in parts}
+    parts = entry.mapping(("file", "depth", *MOTIONS, *WAYS, *LAYOUT_KEYS, QUALITY), needed=("file",))
+    columns = {name: weight_column(parts[name], name) for name in ("depth", *MOTIONS, *WAYS) if name in parts}
     nulls, layout = nulls_and_layout(parts)
-    table = read_table(os.path.join(base, parts["file"].text()), layout, [column.names[0] for column in columns.values()], None if columns else OfWeights())
-    columns = columns or known_columns(table)
-    if "depth" not in columns or len(columns) < 2:
+    named = any(name not in WAYS for name in columns)
+    table = read_table(os.path.join(base, parts["file"].text()), layout, [column.names[0] for column in columns.values()], None if named else OfWeights())
+    columns = {**known_ways(table), **({} if named else known_columns(table)), **columns}
+    if "depth" not in columns or not any(name in MOTIONS for name in columns):
         entry.fail("needs depth and one or more of %s; columns of %s: %s" % (", ".join(MOTIONS), table.file, table.header()))
-    remarks = list(table.remarks)
-    take_flags(table, columns, quality_of(parts), remarks)
+    with after(lambda: prefixed(table.file, table.remarks)):
+        take_flags(table, columns, quality_of(parts), table.remarks)
+        return weights_in(table, columns, nulls)
+
+
+def weights_in(table, columns, nulls):
+    """weights_of() of a table whose columns are known."""
+    remarks = table.remarks
     found = {name: values_of(table, quantity_of(name), column, nulls, True, remarks) for name, column in columns.items()}
-    depths = found.pop("depth")
+    depths, ways = found.pop("depth"), {name: found.pop(name) for name in WAYS if name in found}
     if not len(depths):
         raise RecordError("%s: has no rows" % table.file)
     odd = numpy.flatnonzero(~numpy.isfinite(depths))
@@ -148,7 +159,7 @@ def weights_of(entry, base):
         raise RecordError("%s: %s: %s is not a depth of a well" % (table.place(odd[0]), columns["depth"].names[0], cell or "an empty cell"))
     loads = {name: values for name, values in found.items() if quantity_of(name) == "hook_load"}
     remarks += leave_out_zeros(table, loads)
-    return depths, found, prefixed(table.file, remarks + remarks_of(table, found) + unlikely(table, depths, loads)), errors_of(table, nulls)
+    return depths, found, prefixed(table.file, remarks + remarks_of(table, found) + unlikely(table, depths, loads)), errors_of(table, nulls), ways
 
 
 class OfWeights(Wanted):
@@ -159,7 +170,7 @@ class OfWeights(Wanted):
         return len(found) if len(found) > 1 and any(bare(name) == "depth" for name in found) else 0
 
     def is_name(self, name):
-        return quantity_of(bare(name)) is not None
+        return quantity_of(bare(name)) is not None and bare(name) not in WAYS
 
 
 def known_columns(table):
@@ -167,12 +178,18 @@ def known_columns(table):
     found = {}
     for name in table.names:
         what, words = bare(name), words_in(name)
-        if quantity_of(what) not in ("bit_depth", "hook_load") or words & (NOT_MEASURED | (VERTICAL if what == "depth" else set())):
+        if what in WAYS or quantity_of(what) not in ("bit_depth", "hook_load") or words & (NOT_MEASURED | (VERTICAL if what == "depth" else set())):
             continue
         if what in found:
             raise RecordError("%s: several columns are %s: %s, %s; needed: one, or %s: {column: NAME} in the fit's file" % (table.file, what, found[what].names[0], name, what))
         found[what] = Column([name])
     return found
+
+
+def known_ways(table):
+    """Column by WAYS, of those with a unit."""
+    places = {name: table.places_of(name) for name in WAYS}
+    return {name: Column([table.names[found[0]]]) for name, found in places.items() if len(found) == 1 and is_unit(table.units[found[0]] or "", SIGNALS[WAYS[name]][0])}
 
 
 def errors_of(table, nulls):
@@ -210,7 +227,7 @@ def weight_column(entry, name):
 
 def quantity_of(name):
     """The signal of a record that a column of such a table is like; None where it is none of them."""
-    return "bit_depth" if name == "depth" else MOTIONS[name][0] if name in MOTIONS else None
+    return "bit_depth" if name == "depth" else MOTIONS[name][0] if name in MOTIONS else WAYS.get(name)
 
 
 def column_said(entry):

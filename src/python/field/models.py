@@ -14,6 +14,7 @@ from drill_rig_sim.campaign.runner import one_line
 from drill_rig_sim.campaign.scene_text import SceneText, SceneTextError, survey_file
 from drill_rig_sim.field.course import scatter
 from drill_rig_sim.field.follow import rows_at_turns
+from drill_rig_sim.field.motions import MOTIONS, WAYS, drag_of_unknown_speeds, shown
 from drill_rig_sim.field.pipe import compared, standstills
 from drill_rig_sim.field.record import COMPARED
 from drill_rig_sim.field.replay import check, play
@@ -22,11 +23,8 @@ from drill_rig_sim.field.window import inside
 from drill_rig_sim.lockstep import Refused
 from drill_rig_sim.text_file import TextError, read_text
 
-# columns of a table: the signal, what drill static calls the motion, and which of the static loads; of the empty block, while the string is in the slips, its way
-MOTIONS = {"pick_up": ("hook_load", "up", "hook_load_gauge"), "slack_off": ("hook_load", "down", "hook_load_gauge"), "rotating": ("hook_load", "rotate", "hook_load_gauge"),
-           "rotating_after_up": ("hook_load", "rotate", "hook_load_gauge_after_up"), "rotating_after_down": ("hook_load", "rotate", "hook_load_gauge_after_down"),
-           "torque": ("torque", "rotate", "torque"), "slips_up": ("hook_load", None, 1), "slips_down": ("hook_load", None, -1)}
 FED = ("block_height", "block_velocity", "hook_load", "top_drive_speed", "flow")  # signals of a record that are played to the rig
+START = ("start.bit_depth", "start.block_height")  # of a table's row
 LONG = 2.0  # of a point, from which on processes of their own are worth their start [s]
 
 
@@ -118,10 +116,10 @@ class TableModel:
     """Rows: depth [m] and weights by MOTIONS [N], [N m], nan where there is none, as the scene's gauge shows them: with the friction of rail and sheaves. One rig's
     scene whose hole is the whole of the survey; the bit hangs at each depth."""
 
-    def __init__(self, scene, survey, parameters, depths, weights, remarks=(), errors=0.0):
-        """`errors`: standard deviation of the loads by row, which is known beside their scatter [N]."""
+    def __init__(self, scene, survey, parameters, depths, weights, remarks=(), errors=0.0, ways=None):
+        """`errors`: standard deviation of the loads by row, which is known beside their scatter [N]. `ways`: of WAYS those that are known, by row, nan where they are not."""
         keys = [(p.name, p.keys, p.times) for p in parameters if p.signal is None]
-        self.blueprint = Blueprint("table", scene, survey, keys + [("bit", ["start.bit_depth"], False)])
+        self.blueprint, self.with_block = (Blueprint("table", scene, survey, keys + [(key, [key], False) for key in START[:count]]) for count in (1, 2))
         self.depths, self.motions, self.remarks, self.noise = depths, list(weights), list(remarks), {}
         self.observed = numpy.concatenate([weights[motion] for motion in self.motions])
         self.weighed = numpy.flatnonzero(numpy.isfinite(self.observed))
@@ -129,12 +127,23 @@ class TableModel:
         self.signals = numpy.array([MOTIONS[motion][0] for motion in self.groups])
         self.kinds = numpy.where(numpy.char.startswith(self.groups.astype(str), "slips"), "empty block", self.signals)  # it knows no friction of the string
         self.errors = numpy.where(self.signals == "hook_load", numpy.tile(numpy.broadcast_to(errors, len(depths)), len(self.motions)), 0.0)
+        self.ways = numpy.array([(ways or {}).get(name, numpy.full(len(depths), numpy.nan)) for name in WAYS])
         self.axis = "depth", numpy.tile(depths, len(self.motions))
         self.place = numpy.concatenate([places_of(depths, weights[motion]) for motion in self.motions])
 
     def tasks(self, points):
         depths = self.axis[1]
-        return [(self.blueprint, [*point, depths[k]], self.groups[k]) for point in points for k in self.weighed]
+        return [(self.hangs_so(point, depths[k], height), self.groups[k], tuple(ways)) for point in points for k in self.weighed
+                for *ways, height in [self.ways[:, k % len(self.depths)]]]
+
+    def hangs_so(self, point, depth, height):
+        """(Blueprint, row) of scenes in which the string hangs so: with the block where it was, which the scene may refuse, then with the block where the scene has it."""
+        return [(self.with_block, [*point, depth, height])] * bool(numpy.isfinite(height)) + [(self.blueprint, [*point, depth])]
+
+    def drag_remarks(self, point):
+        """A line, where the mud's drag at a point of the parameters may matter and the speed of a weight that was picked up or slacked off is not known."""
+        unknown = [k for k in self.weighed if self.groups[k] in ("pick_up", "slack_off") and not numpy.isfinite(self.ways[0, k % len(self.depths)])]
+        return drag_of_unknown_speeds(self.blueprint.written([*point, self.axis[1][unknown].max()])) if unknown else []
 
     def join(self, answers, points):
         found = numpy.full((points, len(self.observed)), numpy.nan)
@@ -152,11 +161,14 @@ def places_of(depths, weights):
 
 def hung(task):
     """What the scene's gauge of hook load or torque shows at a depth in a motion; Refused where there is no equilibrium."""
-    from drill_rig_sim.sim import empty_block, static
-    blueprint, row, column = task
-    _, motion, which = MOTIONS[column]
-    scene = blueprint.written(row)
-    return empty_block(scene, which) if motion is None else static(scene, motion)[which]
+    hangs, column, ways = task
+    for blueprint, row in hangs[:-1]:
+        try:
+            return shown(blueprint.written(row), column, *ways)
+        except Refused:
+            pass
+    blueprint, row = hangs[-1]
+    return shown(blueprint.written(row), column, *ways)
 
 
 def hang_string(task):

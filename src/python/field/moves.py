@@ -30,7 +30,7 @@ FLOWS = 1e-3          # flow from which on the pump counts as running [m3/s]
 
 
 class Move:
-    """`motion`: a column of the table that drill calibrate fits. Rows `begin` to `end` of the record, both within; mean `depth` [m], `load` [N], `torque` [N m] (None
+    """`motion`: a column of the table that drill calibrate fits. Rows `begin` to `end` of the record, both within; mean `depth` and `block_height` [m], `load` [N], `torque` [N m] (None
     without a gauge), `speed` of the block [m/s], `rotation` [rad/s] and `flow` [m3/s]; `deviation` of the load from its straight line [N]."""
 
     def __init__(self, record, motion, rows, speeds):
@@ -38,7 +38,7 @@ class Move:
         self.from_time, self.to_time = clock(record, self.begin), clock(record, self.end)
         load = record.signals["hook_load"][rows]
         self.load, self.deviation = float(load.mean()), deviation(record.time[rows], load)
-        self.depth, self.rotation, self.flow = (mean_of(record, signal, rows) for signal in ("bit_depth", "top_drive_speed", "flow"))
+        self.depth, self.block_height, self.rotation, self.flow = (mean_of(record, signal, rows) for signal in ("bit_depth", "block_height", "top_drive_speed", "flow"))
         torque = record.signals["torque"][rows[0]:rows[-1] + 1] if "torque" in record else numpy.zeros(0)
         self.torque = float(numpy.nanmean(torque)) if numpy.isfinite(torque).any() else None
         self.speed = float(speeds[rows[0]:rows[-1]].mean())
