@@ -13,6 +13,7 @@ from drill_rig_sim.field.start import FROM, on_hook, simulator_of, start_keys
 from drill_rig_sim.field.window import limits, stretches
 from drill_rig_sim.json_file import write_json
 from drill_rig_sim.lockstep import Failed, Refused
+from drill_rig_sim.refusal import after, told
 from drill_rig_sim.score_command import BAD_INPUT, FAILED, GOOD
 from drill_rig_sim.sim import found
 from drill_rig_sim.units import QUANTITIES, SI, SYSTEMS, Units
@@ -75,13 +76,19 @@ def write(replay, file):
 
 def replay_of(options):
     record = read_record([options.record, *options.more], options.columns)
+    with after(lambda: record.remarks):
+        return replay_of_record(record, options)
+
+
+def replay_of_record(record, options):
     left_out = stretches(options.leave_out, record)
     record, remarks = on_hook(record, *limits(record, options.from_time, options.to_time))
     check(record)
     file = found(os.path.abspath(options.scene) if os.path.exists(options.scene) else options.scene, "config/scenes")
     scene, survey = scene_and_survey(file)
     values, lines = start_keys(scene, record, options.start)
-    replay = play(simulator_of(file, scene, survey, values), record, left_out, Progress())
+    with after(lambda: remarks + lines):
+        replay = play(simulator_of(file, scene, survey, values), record, left_out, Progress())
     if not replay.table():
         raise RecordError("%s: no row is left to compare; needed: shorter stretches in --leave-out, or %s with the string on the hook" % (record.name, ", ".join(COMPARED)))
     replay.remarks += remarks + lines
@@ -114,7 +121,7 @@ def main(words):
         print("".join("drill replay: %s\n" % line for line in replay.remarks), end="", file=sys.stderr)
         return GOOD
     except (RecordError, ModelError, Refused) as error:
-        print("drill replay: %s" % error, file=sys.stderr)
+        print(told("drill replay", error), file=sys.stderr)
         return FAILED if isinstance(error, Failed) else BAD_INPUT
     except OSError as error:
         print("drill replay: %s: %s" % (error.filename, error.strerror), file=sys.stderr)

@@ -142,7 +142,8 @@ class Made(unittest.TestCase):
             self.assertEqual((wanted, False), (moves, "no steady" in told), told)
             steps = [(10, speed, 0.0, 0.0, 9e5) for _ in range(6) for speed in (0.05, 0.35)]
             status, told = self.changed([self.STOP, *steps, self.STOP], displayed(seed))
-            self.assertEqual((2, 1), (status, told.count("\n")), told)
+            self.assertEqual((2, 2), (status, told.count("\n")), told)
+            self.assertIn("hook_load: it is the same to the last digit in", told)
             self.assertIn("no steady pick_up was found in 1 moves, the longest of 1", told)
             self.assertIn("needed after the start of a move: an even speed for 5 s and 4 rows with a hook load", told)
 
@@ -176,7 +177,8 @@ class Made(unittest.TestCase):
             self.assertEqual([("pick_up", 900000), ("slack_off", 700000), ("rotating_after_down", 800000)], moves, told)
             self.assertIn("rows hold no measurement", told)
         status, told = self.changed(parts, emptied(60, 4))
-        self.assertEqual((2, 1), (status, told.count("\n")), told)
+        self.assertEqual((2, 2), (status, told.count("\n")), told)
+        self.assertIn("drill weights: %s: hook_load: 236 of 240 rows hold no measurement\n" % os.path.join(self.folder, "r.csv"), told)  # a remark, before the refusal
         self.assertIn("236 of 240 rows hold no hook_load", told)
 
     def test_signals_in_rows_of_their_own(self):

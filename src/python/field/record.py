@@ -11,11 +11,13 @@ from drill_rig_sim.field.dates import written
 from drill_rig_sim.field.files import begins_with, bytes_of, text_of
 from drill_rig_sim.field.in_feet import pipe_in_feet
 from drill_rig_sim.field.las import read_las
+from drill_rig_sim.field.lost_gauges import leave_out_lost, unlikely_values
 from drill_rig_sim.field.signal_reader import part_of
 from drill_rig_sim.field.signals import si_unit, word
 from drill_rig_sim.field.table import Layout, RecordError, read_delimited
 from drill_rig_sim.field.unit_change import unit_changes
 from drill_rig_sim.field.witsml import read_witsml
+from drill_rig_sim.refusal import after
 
 MOST_DAYS = 400.0  # that a record may last
 COMPARED = ("hook_load", "torque", "stand_pipe_pressure")  # with what is simulated; the others are played
@@ -51,6 +53,8 @@ class Record:
             raise RecordError("%s: needed: two rows or more with a time (has %d%s)" % (name, rows, ", all with the same" if rows > len(time) else ""))
         self.begin, self.offset = float(time[0]) if parts[0].dated else None, parts[0].offset
         check_length(self, parts)
+        said += leave_out_lost(time, self.signals, lambda row: place_of(parts, time[row])) + leave_out_empty(self.signals)
+        said += unlikely_values(time, self.signals, lambda row: place_of(parts, time[row]))
         self.time = self.signals["time"] = time - time[0]
         self.remarks += prefixed(name, said + remarks_of(self))
 
@@ -73,6 +77,12 @@ class Record:
 
 def prefixed(file, lines):
     return [line if line.startswith(file) else "%s: %s" % (file, line) for line in lines]
+
+
+def place_of(parts, time):
+    """Where the first row of a time stands."""
+    part = next(part for part in parts if time in part.signals["time"])
+    return part.place(int(numpy.flatnonzero(part.signals["time"] == time)[0]))
 
 
 def check_order(part):
@@ -152,10 +162,8 @@ def check_length(record, parts):
     time = record.signals["time"]
     if time[-1] - time[0] > 86400.0 * MOST_DAYS:
         gap = int(numpy.diff(time).argmax())
-        part = next(part for part in parts if time[gap + 1] in part.signals["time"])
-        row = int(numpy.flatnonzero(part.signals["time"] == time[gap + 1])[0])
         raise RecordError("%s: its time is %.6g days after the row before it; allowed: records of up to %g days" %
-                          (part.place(row), (time[gap + 1] - time[gap]) / 86400.0, MOST_DAYS))
+                          (place_of(parts, time[gap + 1]), (time[gap + 1] - time[gap]) / 86400.0, MOST_DAYS))
 
 
 def leave_out_empty(signals):
@@ -267,8 +275,9 @@ def read_record(files, columns=None):
     files = [files] if isinstance(files, (str, os.PathLike)) else list(files)
     mapping = read_map(columns) if columns else None
     tables = [table for file in files for table in tables_of(os.fspath(file), mapping)]
-    parts = [part_of(table, mapping and of_table(mapping, table, tables)) for table in tables]
-    return Record(parts, os.fspath(files[0]) if len(files) == 1 else "%s and %d more" % (files[0], len(files) - 1))
+    with after(lambda: [line for table in tables for line in prefixed(table.file, table.remarks)]):
+        parts = [part_of(table, mapping and of_table(mapping, table, tables)) for table in tables]
+        return Record(parts, os.fspath(files[0]) if len(files) == 1 else "%s and %d more" % (files[0], len(files) - 1))
 
 
 def of_table(mapping, table, tables):

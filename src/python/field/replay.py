@@ -9,6 +9,7 @@ from drill_rig_sim.field.pipe import Slip, check_connections, check_directions, 
 from drill_rig_sim.field.record import COMPARED, RecordError
 from drill_rig_sim.field.window import inside
 from drill_rig_sim.law import RPM
+from drill_rig_sim.refusal import after
 from drill_rig_sim.units import GRAVITY, POUND, QUANTITIES, SI
 
 FORCES = {"N": 1.0, "lbf": POUND, "kgf": GRAVITY}  # and their thousands, by which hook loads are mistaken
@@ -167,11 +168,12 @@ def play(rig, record, left_out=(), tell=lambda done, whole: None):
     remarks += events_of(record, law) + beyond_limits(record, rig) + run_up(rig, record)
     signals = [name for name in COMPARED if name in record]
     shown, warnings, errors = [[getattr(rig.state, name) for name in signals]], Warnings(), MeasuredErrors()
-    for state in driven(rig, law, law.times[-1] + PATIENCE * len(law.connections)):
-        shown.append([getattr(state, name) for name in signals])
-        warnings.look(rig, clock(record, 0) + law.times[law.k])
-        errors.look(rig)
-        tell(float(law.times[law.k]), float(record.time[-1]))
+    with after(lambda: ["%s: %s" % (record.name, line) for line in remarks]):
+        for state in driven(rig, law, law.times[-1] + PATIENCE * len(law.connections)):
+            shown.append([getattr(state, name) for name in signals])
+            warnings.look(rig, clock(record, 0) + law.times[law.k])
+            errors.look(rig)
+            tell(float(law.times[law.k]), float(record.time[-1]))
     there, shown = numpy.isfinite(law.clock), numpy.array(shown)
     times = numpy.asarray(law.clock)[there]
     if law.farthest > BEHIND:

@@ -36,7 +36,7 @@ class Part:
 def part_of(table, columns=None):
     """A Part of a table; `columns`: a ColumnMap, None where all columns are known by their names."""
     take_units(table)
-    remarks = list(table.remarks)
+    remarks = table.remarks
     mapped, nulls = (columns.columns, columns.nulls) if columns else ({}, ())
     take_title_units(table, mapped, remarks)
     wanted = columns_of(table, mapped, remarks)

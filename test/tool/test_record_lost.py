@@ -1,0 +1,102 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Records with values that no gauge measured: zeros of a gauge that was lost, one value over minutes, a single value far above all others. Ordinary ones are not reported."""
+import unittest
+
+import numpy
+from record_folder import Folder
+
+NAMES = "Time (s),Block (m),Bit Depth (m),Hole Depth (m),Hook Load (kN),Torque (kN.m),SPP (bar),RPM (rpm),Flow In (L/min)"
+BLOCK, BIT, LOAD, TORQUE, PRESSURE = 1, 2, 4, 5, 6
+SPAN = 30  # rows of a move
+
+
+def trip(stands=4, seed=1, digits=1):
+    """Rows every 5 s of pipe that is lifted and lowered at 0.2 m/s and turned while it comes up, with a connection after each stand."""
+    chance, rows, bit, time = numpy.random.default_rng(seed), [], 2000.0, 0.0
+    for _ in range(stands):
+        for direction, hung in ((1, True), (0, True), (-1, False), (0, False)):  # a stand up; slips; the empty block down
+            for k in range(SPAN):
+                block = 1.0 + (k if direction > 0 else SPAN - 1 - k if direction < 0 else SPAN - 1 if hung else 0)
+                bit -= 1.0 if direction > 0 and k else 0.0
+                load = (900.0 if direction > 0 else 850.0) if hung else 250.0
+                turned = 60.0 if direction > 0 else 0.0
+                rows.append([time, block, bit, 2500.0, round(load + chance.normal(0.0, 3.0), digits), round(9.0 + chance.normal(0.0, 0.3), 2) if turned else 0.0,
+                             round(150.0 + chance.normal(0.0, 1.0)) if turned else 0.0, turned, 1800.0 if turned else 0.0])
+                time += 5.0
+    return numpy.array(rows)
+
+
+class Lost(Folder):
+    def told(self, rows):
+        """(record, lines) of rows."""
+        text = NAMES + "\n" + "".join(",".join("" if numpy.isnan(cell) else "%.9g" % cell for cell in row) + "\n" for row in rows)
+        record = self.read(text)
+        return record, [line.partition(": ")[2] for line in record.remarks]
+
+    def test_ordinary_ones(self):
+        for digits in (2, 1, 0, -1):
+            self.assertEqual([], self.told(trip(digits=digits))[1], digits)
+        tared = trip()
+        tared[tared[:, LOAD] < 500.0, LOAD] = 0.0  # the gauge is zeroed with the empty block
+        self.assertEqual([], self.told(tared)[1])
+
+    def test_a_hook_load_of_zero_under_a_moving_string(self):
+        rows = trip()
+        rows[3:25, LOAD] = 0.0
+        record, lines = self.told(rows)
+        self.assertIn("hook_load: 22 rows of exactly 0, while the block moves 100 m of pipe or more, are no measurements (first: ", lines[0])
+        self.assertIn("r.csv:5)", lines[0])
+        self.assertTrue(numpy.isnan(record.signals["hook_load"][3:25]).all())
+        self.assertEqual(len(rows) - 22, numpy.isfinite(record.signals["hook_load"]).sum())
+
+    def test_zeros_of_the_slips_stay(self):
+        """A gauge that is zeroed with the empty block, and lost for a while at the next stand: the zeros in the slips stay."""
+        rows = trip()
+        rows[rows[:, LOAD] < 500.0, LOAD] = 0.0
+        rows[4 * SPAN:4 * SPAN + 12, LOAD] = 0.0
+        record, lines = self.told(rows)
+        self.assertIn("hook_load: ", lines[0])
+        self.assertEqual(0.0, record.signals["hook_load"][2 * SPAN + 5])
+        self.assertTrue(numpy.isnan(record.signals["hook_load"][4 * SPAN + 5]))
+        rows[4 * SPAN:4 * SPAN + 12, LOAD] = 900.0
+        rows[4 * SPAN:4 * SPAN + 2, LOAD] = 0.0  # read too late
+        self.assertEqual([], self.told(rows)[1])
+
+    def test_zeros_of_the_block_and_of_depths(self):
+        """Ten rows at 0, faster than a block goes there; deeper than a bit jumps; at the begin too."""
+        for column, name, why in ((BLOCK, "block_height", "as no block changes between rows"), (BIT, "bit_depth", "as no depth changes between rows")):
+            for begin in (20, 0):
+                rows = trip()
+                rows[:, 0] /= 5.0
+                rows[begin:begin + 10, column] = 0.0
+                if column == BLOCK and begin == 0:
+                    continue  # the block may have stood there
+                record, lines = self.told(rows)
+                self.assertIn("%s: 10 rows of exactly 0, %s, are no measurements (first: " % (name, why), lines[0])
+                self.assertTrue(numpy.isnan(record.signals[name][begin:begin + 10]).all())
+
+    def test_one_value_over_minutes(self):
+        for column, name in ((LOAD, "hook_load"), (TORQUE, "torque")):
+            rows = trip()
+            rows[2:SPAN, column] = rows[2, column]
+            lines = self.told(rows)[1]
+            self.assertEqual(1, len(lines), lines)
+            self.assertIn("%s: it is the same to the last digit in 28 rows, over 135 s in which the string moves 27 m (first: " % name, lines[0])
+            self.assertIn("r.csv:4); check its gauge", lines[0])
+            self.assertEqual(rows[2, column], rows[20, column])
+
+    def test_a_single_value(self):
+        for column, name, factor in ((LOAD, "hook_load", 3.5), (TORQUE, "torque", 3.5), (PRESSURE, "stand_pipe_pressure", 3.5)):
+            rows = trip()
+            rows[10, column] *= factor
+            record, lines = self.told(rows)
+            self.assertTrue(any(line.startswith("%s: 1 single values are 3." % name) and "r.csv:12); check their digits" in line for line in lines), lines)
+            self.assertFalse(numpy.isnan(record.signals[name][10]))
+        rows = trip()
+        rows[2 * SPAN + 10, LOAD] = 900.0  # the string's load for a row, among those of the empty block
+        self.assertEqual([], self.told(rows)[1])
+
+
+if __name__ == "__main__":
+    unittest.main()
