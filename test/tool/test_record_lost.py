@@ -45,10 +45,21 @@ class Lost(Folder):
         rows = trip()
         rows[3:25, LOAD] = 0.0
         record, lines = self.told(rows)
-        self.assertIn("hook_load: 22 rows of exactly 0, while the block moves 100 m of pipe or more, are no measurements (first: ", lines[0])
+        self.assertIn("hook_load: 22 rows of exactly 0, while the block moves the string, are no measurements (first: ", lines[0])
         self.assertIn("r.csv:5)", lines[0])
         self.assertTrue(numpy.isnan(record.signals["hook_load"][3:25]).all())
         self.assertEqual(len(rows) - 22, numpy.isfinite(record.signals["hook_load"]).sum())
+
+    def test_while_it_drills(self):
+        """A hook load of 0, one that stays the same and one with a wrong digit, a row a second, while 1 m is drilled in 100 s."""
+        def drilled(load):
+            chance = numpy.random.default_rng(2)
+            return [[k, 20.0 - 0.01 * k, 2499.0 + 0.01 * k, 2499.0 + 0.01 * k, load(k, round(800.0 + chance.normal(0.0, 2.0), 1)), round(9.0 + chance.normal(0.0, 0.3), 2), 150 + k % 3, 60.0, 1800.0]
+                    for k in range(120)]
+        self.assertEqual([], self.told(drilled(lambda k, load: load))[1])
+        self.assertIn("hook_load: 70 rows of exactly 0, while", self.told(drilled(lambda k, load: 0.0 if 20 <= k < 90 else load))[1][0])
+        self.assertIn("hook_load: it is the same to the last digit in 90 rows, over 89 s", self.told(drilled(lambda k, load: 801.0 if 20 <= k < 110 else load))[1][0])
+        self.assertIn("hook_load: 1 single values are 3.", self.told(drilled(lambda k, load: 3.5 * load if k == 40 else load))[1][0])
 
     def test_zeros_of_the_slips_stay(self):
         """A gauge that is zeroed with the empty block, and lost for a while at the next stand: the zeros in the slips stay."""
@@ -65,16 +76,24 @@ class Lost(Folder):
 
     def test_zeros_of_the_block_and_of_depths(self):
         """Ten rows at 0, faster than a block goes there; deeper than a bit jumps; at the begin too."""
-        for column, name, why in ((BLOCK, "block_height", "as no block changes between rows"), (BIT, "bit_depth", "as no depth changes between rows")):
-            for begin in (20, 0):
+        for column, name, thing in ((BLOCK, "block_height", "block"), (BIT, "bit_depth", "bit")):
+            for begin in (20, 0) if column == BIT else (20,):
                 rows = trip()
                 rows[:, 0] /= 5.0
                 rows[begin:begin + 10, column] = 0.0
-                if column == BLOCK and begin == 0:
-                    continue  # the block may have stood there
                 record, lines = self.told(rows)
-                self.assertIn("%s: 10 rows of exactly 0, %s, are no measurements (first: " % (name, why), lines[0])
+                self.assertIn("%s: 10 rows of exactly 0, to which no %s goes between rows, are no measurements (first: " % (name, thing), lines[0])
                 self.assertTrue(numpy.isnan(record.signals[name][begin:begin + 10]).all())
+
+    def test_zeros_of_a_block_that_would_be_slow(self):
+        """Rows 5 s apart: the bit stays where it is, on the hook. In the slips the block may have gone to 0."""
+        for begin, lost in ((5, True), (4 * SPAN - 10, False)):
+            rows = trip()
+            rows[begin:begin + 7, BIT] = rows[begin - 1, BIT]
+            rows[begin - 1:begin + 7, BLOCK] = 8.0
+            rows[begin:begin + 6, BLOCK] = 0.0
+            record = self.told(rows)[0]
+            self.assertEqual(lost, bool(numpy.isnan(record.signals["block_height"][begin:begin + 6]).all()))
 
     def test_one_value_over_minutes(self):
         for column, name in ((LOAD, "hook_load"), (TORQUE, "torque")):

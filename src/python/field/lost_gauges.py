@@ -5,13 +5,13 @@ import numpy
 FAST = 2.5           # speed at which a block does not go to 0 and come back from there between rows [m/s]
 JUMP = 1.0           # and so far it has to go [m]
 DEEP = 10.0          # by which a depth jumps more than the fastest block moves it [m]
-TOGETHER = 0.2       # share of the block's way by which the bit's may differ, where the block moves the string
-MOVES = 0.05         # from which on it moves between two rows [m]
-PIPE = 100.0         # of pipe in the hole has a weight that no gauge shows as 0 [m]
-LEAST_HUNG = 3       # steps of such a block from row to row
+TOGETHER = 0.2, 0.1  # share of the block's way by which the bit's may differ, where the block moves the string, and what gauges add to that [m]
+HANGS = 0.6          # of the largest hook load, with which a string hangs on the hook
+APART = 0.3          # of bit and block, from which on the block has moved by itself [m]
+PIPE = 50.0          # of pipe in the hole has a weight that no gauge shows as 0 [m]
+LEAST_WAY, LEAST_STEPS = 0.5, 3  # of a moving string [m], and rows
 HELD = 60.0, 10      # time and rows over which a value is the same [s]
-LEAST_WAY = 5.0      # of the string meanwhile [m]
-CHANCE = 1e-9        # that a gauge with this resolution shows one value so often
+LONGER, CHANCE = 5, 1e-9  # than the next longest of such times; that a gauge with this resolution shows one value so often
 TIMES, BEYOND = 3.0, 1.5  # of a single value over its neighbours, and over the largest of all others
 LIKE = 0.3           # share by which its neighbours may differ
 SINGLE = ("hook_load", "torque", "stand_pipe_pressure", "flow", "top_drive_speed")
@@ -20,16 +20,17 @@ TURNING = 3.0        # rotation that makes a torque vary [rad/s]
 
 def leave_out_lost(time, signals, place):
     """Makes zeros nan that no gauge measured; lines on them. `place(k)`: where row k stands in its file."""
-    lines = []
-    for name in ("bit_depth", "hole_depth", "block_height", "hook_load"):
-        if name not in signals:
-            continue
-        rows = hung_at_zero(signals) if name == "hook_load" else jumped_to_zero(time, signals[name], *((FAST, JUMP) if name == "block_height" else (2.0 * FAST, DEEP)))
-        if len(rows):
-            why = "while the block moves %g m of pipe or more" % PIPE if name == "hook_load" else "as no %s changes between rows" % ("block" if name == "block_height" else "depth")
-            lines.append("%s: %d rows of exactly 0, %s, are no measurements (first: %s)" % (name, len(rows), why, place(rows[0])))
-            signals[name][rows] = numpy.nan
-    return lines
+    return [line for name, rows_of, why in (
+        ("bit_depth", lambda: jumped_to_zero(time, signals["bit_depth"], 2.0 * FAST, DEEP), "to which no bit goes between rows"),
+        ("hole_depth", lambda: jumped_to_zero(time, signals["hole_depth"], 2.0 * FAST, DEEP), "to which no hole goes between rows"),
+        ("block_height", lambda: jumped_to_zero(time, signals["block_height"], FAST, 0.0, without_string(signals)), "to which no block goes between rows"),
+        ("hook_load", lambda: hung_at_zero(signals), "while the block moves the string")) if name in signals for line in left_out(signals, name, rows_of(), why, place)]
+
+
+def left_out(signals, name, rows, why, place):
+    """Makes the rows of a signal nan; a line on them."""
+    signals[name][rows] = numpy.nan
+    return ["%s: %d rows of exactly 0, %s, are no measurements (first: %s)" % (name, len(rows), why, place(rows[0]))] if len(rows) else []
 
 
 def spans(flags):
@@ -38,15 +39,24 @@ def spans(flags):
     return list(zip(edges[::2], edges[1::2]))
 
 
-def jumped_to_zero(time, values, speed, jump):
-    """Rows of exactly 0 to which and from which a value changes faster than it can."""
+def jumped_to_zero(time, values, speed, beyond, cannot=lambda row, beside: False):
+    """Rows of exactly 0 to which and from which a value changes faster than it can: by JUMP, and either `cannot` or at a speed, and so much `beyond` that [m]."""
     known = numpy.flatnonzero(numpy.isfinite(values))
     at, there, found = time[known], values[known], []
     for begin, end in spans(there == 0.0):
-        sides = [(abs(there[beside]), abs(at[row] - at[beside])) for row, beside in ((begin, begin - 1), (end - 1, end)) if 0 <= beside < len(known)]
-        if sides and all(change > jump and change > speed * step + (jump if speed > FAST else 0.0) for change, step in sides):
+        sides = [(row, beside) for row, beside in ((begin, begin - 1), (end - 1, end)) if 0 <= beside < len(known)]
+        if sides and all(abs(there[beside]) > JUMP and (abs(there[beside]) > speed * abs(at[row] - at[beside]) + beyond or cannot(known[row], known[beside])) for row, beside in sides):
             found += list(known[begin:end])
     return numpy.array(found, int)
+
+
+def without_string(signals):
+    """Whether a block that goes from one row to another leaves a bit where it is that hangs on it, by the hook load."""
+    if "bit_depth" not in signals or "hook_load" not in signals:
+        return lambda row, beside: False
+    bit, load, block = signals["bit_depth"], signals["hook_load"], signals["block_height"]
+    hung = HANGS * numpy.nanmax(load) if numpy.isfinite(load).any() else numpy.inf
+    return lambda row, beside: bool(min(load[row], load[beside]) > hung and abs(bit[row] - bit[beside]) < TOGETHER[0] * abs(block[row] - block[beside]))
 
 
 def way_of_string(signals):
@@ -54,23 +64,23 @@ def way_of_string(signals):
     if "bit_depth" not in signals or "block_height" not in signals:
         return numpy.zeros(max(len(signals["time"]) - 1, 0))
     block, bit = (numpy.nan_to_num(numpy.diff(signals[name])) for name in ("block_height", "bit_depth"))
-    return numpy.where((numpy.abs(block) > MOVES) & (numpy.abs(block + bit) <= TOGETHER * numpy.abs(block)), block, 0.0)
+    return numpy.where((numpy.abs(block + bit) <= TOGETHER[0] * numpy.abs(block)) | ((numpy.abs(block + bit) <= TOGETHER[1]) & (block * bit < 0.0)), block, 0.0)
 
 
 def hung_at_zero(signals):
     """Rows with a hook load of exactly 0 while the block moves the string, and those on end before and after it until the block moves by itself: one row may be that in which
     the slips are pulled."""
-    load, way = signals["hook_load"], way_of_string(signals)
-    if not way.any():
+    load, found = signals["hook_load"], []
+    if "bit_depth" not in signals or "block_height" not in signals:
         return numpy.zeros(0, int)
-    block, deep, found = numpy.abs(numpy.diff(signals["block_height"])), signals["bit_depth"] > PIPE, []
-    for begin, end in spans((load == 0.0) & deep):
-        steps = numpy.arange(begin, end - 1)
-        bounds = [begin - 1, *steps[(block[steps] > MOVES) & (way[steps] == 0.0)], end - 1]
-        for first, last in zip(bounds, bounds[1:]):
-            inside = way[first + 1:last]
-            if (inside != 0.0).sum() >= LEAST_HUNG and numpy.abs(inside).sum() >= JUMP:
-                found += list(range(first + 1, last + 1))
+    bit, block = signals["bit_depth"], signals["block_height"]
+    for begin, end in spans((load == 0.0) & (bit > PIPE) & numpy.isfinite(block)):
+        while begin < end:
+            last = begin + int(numpy.argmin(numpy.append(numpy.abs((bit + block)[begin:end] - bit[begin] - block[begin]) < APART, False)))
+            there = block[begin:last]
+            if numpy.ptp(there) >= LEAST_WAY and (numpy.diff(there) != 0.0).sum() >= LEAST_STEPS:
+                found += list(range(begin, last))
+            begin = last
     return numpy.array(found, int)
 
 
@@ -87,15 +97,14 @@ def held(time, signals, place):
         if name not in signals or not moving.any():
             continue
         values = signals[name]
-        again = (numpy.diff(values) == 0.0) & (values[1:] != 0.0)
-        for begin, end in spans(again):
-            inside = numpy.arange(begin, end)[moving[begin:end]]
-            others = moving.copy()
-            others[begin:end] = False
-            usual = (1.0 + again[others].sum()) / (2.0 + others.sum())  # Laplace's rule
-            if len(inside) >= HELD[1] and time[end] - time[begin] >= HELD[0] and numpy.abs(way[inside]).sum() >= LEAST_WAY and usual**len(inside) < CHANCE:
+        again = spans((numpy.diff(values) == 0.0) & (values[1:] != 0.0))
+        counts = numpy.array([moving[begin:end].sum() for begin, end in again])
+        for (begin, end), count in zip(again, counts):
+            usual = (1.0 + counts.sum() - count) / (2.0 + moving.sum() - count)  # Laplace's rule, by the other rows
+            went = numpy.abs(way[begin:end]).sum()
+            if count >= max(HELD[1], LONGER * numpy.append(counts[counts != count], 1).max()) and time[end] - time[begin] >= HELD[0] and went >= LEAST_WAY and usual**count < CHANCE:
                 lines.append("%s: it is the same to the last digit in %d rows, over %.4g s in which the string moves %.3g m (first: %s); check its gauge" %
-                             (name, end - begin + 1, time[end] - time[begin], numpy.abs(way[inside]).sum(), place(begin)))
+                             (name, end - begin + 1, time[end] - time[begin], went, place(begin)))
     return lines
 
 
