@@ -63,7 +63,7 @@ std::vector<UnitFamily> first_families()
         "1000.lb 1000.lbs 1000lbf 1000lb 1000lbs"},
     {"tonfUS", short_ton * pound_force, "ustonf ton(us) tons(us) ston stons short.ton short.tons us.ton us.tons"},
     {"tonfUK", long_ton * pound_force, "uktonf ton(uk) tons(uk) long.ton long.tons"},
-    {"kdaN", 1e4L, "1000.dan 10.kn", rare}, {"Mgf", 1e3L * gravity, "", rare}, {"gf", 1e-3L * gravity, "", rare},
+    {"kdaN", 1e4L, "kdn 1000.dan 10.kn", rare}, {"Mgf", 1e3L * gravity, "", rare}, {"gf", 1e-3L * gravity, "", rare},
         {"dyne", 1e-5L, "", rare}, {"kdyne", 1e-2L, "", rare},
     {"ozf", pound_force / 16.0L, "", rare}},
     {{"ton tons tonf tonsf kton mt", "tonfUS (2000 lbf), tonfUK (2240 lbf) or 1000 kgf (tf)"},

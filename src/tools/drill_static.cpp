@@ -73,7 +73,7 @@ void print_report(const StaticReport& report, const Printed& printed)
   share("yield", "its yield strength", report.loads.stress);
   share("buckling", "its critical buckling load", report.loads.buckling);
   if (report.annulus_pressure != 0.0)
-    std::printf("annulus          %12s at the bit, added to the pressure of the mud at rest\n",
+    std::printf("annulus          %12s at the bit, by the moving mud\n",
                 printed(report.annulus_pressure, Dimension::pressure, {"%.3f", "MPa", 1e-6}).c_str());
   print_buckled(report.buckled, printed);
   print_pushed(report, printed);

@@ -165,6 +165,21 @@ class Survey(test_drill.Drill):
 
 
 class Static(test_drill.Drill):
+    def test_static_in_moving_mud(self):
+        """A named motion leaves the mud at rest; at a speed it drags on the string, and the pump lifts it."""
+        def found(*words):
+            lines = {line[:17].strip(): float(line[17:].split()[0]) for line in self.succeed('static', BOHAI, *words).splitlines() if line.startswith(('hook load', 'annulus'))}
+            return lines['hook load'], lines.get('annulus')
+        up, still = found('--motion', 'up')
+        self.assertIsNone(still)
+        load, pressure = found('--speed', '0.3')
+        self.assertGreater(load, up)
+        self.assertLess(pressure, 0.0)
+        pumped, pressure = found('--speed', '0.3', '--flow', '0.03')
+        self.assertLess(pumped, load)
+        self.assertGreater(pressure, 0.0)
+        self.assertIn('--flow', self.refuse('static', BOHAI, '--flow', '-1'))
+
     def test_profiles_at_rest_are_those_of_statics(self):
         self.succeed('static', BOHAI, '--csv', self.file('s.csv'))
         self.succeed('run', BOHAI, '--set', 'program=[]', '--duration', '2', '--profile', self.file('p.csv'), '--profile-every', '0.5')
