@@ -76,7 +76,7 @@ def write(replay, file):
 
 def replay_of(options):
     record = read_record([options.record, *options.more], options.columns)
-    with after(lambda: record.remarks):
+    with after(lambda: record.noticed):
         return replay_of_record(record, options)
 
 

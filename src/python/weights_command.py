@@ -72,7 +72,7 @@ def not_measured(record):
 def found_in(options):
     """(record, its moves, lines on what is no move) by the command line."""
     record = read_record([options.record, *options.more], options.columns)
-    with after(lambda: record.remarks):
+    with after(lambda: record.noticed):
         left_out = stretches(options.leave_out, record)
         record = between(record, *limits(record, options.from_time, options.to_time))
         moves, odd = moves_of(record, inside(record.signals["time"], left_out))
@@ -94,7 +94,7 @@ def main(words):
     try:
         record, moves, odd = found_in(options)
         if not moves:
-            with after(lambda: record.remarks):
+            with after(lambda: record.noticed):
                 raise RecordError("%s: holds no steady pick-up, slack-off or rotating off bottom%s" % (record.name, "".join("; " + line for line in not_measured(record) + odd)))
         for write, file in ((write_table, options.csv), (write_moves, options.json)):
             if file:

@@ -1,9 +1,12 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
 """Records with values that no gauge measured: zeros of a gauge that was lost, one value over minutes, a single value far above all others. Ordinary ones are not reported."""
+import io
 import unittest
+from contextlib import redirect_stderr, redirect_stdout
 
 import numpy
+from drill_rig_sim import weights_command
 from record_folder import Folder
 
 NAMES = "Time (s),Block (m),Bit Depth (m),Hole Depth (m),Hook Load (kN),Torque (kN.m),SPP (bar),RPM (rpm),Flow In (L/min)"
@@ -27,11 +30,14 @@ def trip(stands=4, seed=1, digits=1):
     return numpy.array(rows)
 
 
+def text_of(rows, names=NAMES):
+    return names + "\n" + "".join(",".join("" if numpy.isnan(cell) else "%.9g" % cell for cell in row) + "\n" for row in rows)
+
+
 class Lost(Folder):
     def told(self, rows):
         """(record, lines) of rows."""
-        text = NAMES + "\n" + "".join(",".join("" if numpy.isnan(cell) else "%.9g" % cell for cell in row) + "\n" for row in rows)
-        record = self.read(text)
+        record = self.read(text_of(rows))
         return record, [line.partition(": ")[2] for line in record.remarks]
 
     def test_ordinary_ones(self):
@@ -115,6 +121,18 @@ class Lost(Folder):
         rows = trip()
         rows[2 * SPAN + 10, LOAD] = 900.0  # the string's load for a row, among those of the empty block
         self.assertEqual([], self.told(rows)[1])
+
+    def test_remarks_of_a_refused_record(self):
+        """Each in a line before the refusal, but for what is in that already."""
+        rows = trip()
+        rows[3, TORQUE] = numpy.nan
+        out, told = io.StringIO(), io.StringIO()
+        with redirect_stdout(out), redirect_stderr(told):
+            status = weights_command.main([self.file("r.csv", text_of(rows, NAMES.replace("(kN)", "(furlong)")))])
+        lines = told.getvalue().splitlines()
+        self.assertEqual((2, 2), (status, len(lines)), lines)
+        self.assertRegex(lines[0], "^drill weights: .*r.csv: torque: 1 of 480 rows hold no measurement$")
+        self.assertIn("has no hook_load; needed: block_height, bit_depth and hook_load; hook_load is left out", lines[1])
 
 
 if __name__ == "__main__":

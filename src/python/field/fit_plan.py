@@ -80,7 +80,7 @@ def model_of(entries, base, scene, survey, parameters, signals):
         signals = [item.choice(COMPARED) for item in entries["signals"].sequence()]
     columns = os.path.join(base, entries["columns"].text()) if "columns" in entries else None
     record = read_record([os.path.join(base, item.text()) for item in one_or_more(entries["record"])], columns)
-    with after(lambda: record.remarks):
+    with after(lambda: record.noticed):
         return RecordModel(scene, survey, parameters, record, signals, period_of(entries, record))
 
 

@@ -35,7 +35,8 @@ LONG_GAP, SHORTEST_GAP = 10.0, 5.0  # of rows' distance, and s, from which on a 
 
 class Record:
     """Signals by name (signals.SIGNALS), each an array [SI] as long as `time`, which begins at 0 and increases; rows without a measurement are nan. `begin`: seconds
-    since 1970 UTC at time 0, None where the record has no dates. `offset`: of the time zone by which dates without one are read [s]. `remarks`: what its reader should know, a line each."""
+    since 1970 UTC at time 0, None where the record has no dates. `offset`: of the time zone by which dates without one are read [s]. `remarks`: what its reader should know, a line each; `noticed`: those
+    that do not depend on what is done with it."""
 
     def __init__(self, parts, name):
         """Of the Parts of one well, in any order."""
@@ -56,7 +57,8 @@ class Record:
         said += leave_out_lost(time, self.signals, lambda row: place_of(parts, time[row])) + leave_out_empty(self.signals)
         said += unlikely_values(time, self.signals, lambda row: place_of(parts, time[row]))
         self.time = self.signals["time"] = time - time[0]
-        self.remarks += prefixed(name, said + remarks_of(self))
+        self.noticed = self.remarks + prefixed(name, said + remarks_of(self))
+        self.remarks = self.noticed + prefixed(name, assumptions(self))
 
     def __contains__(self, signal):
         return signal in self.signals
@@ -175,7 +177,7 @@ def leave_out_empty(signals):
 
 
 def remarks_of(record):
-    """Lines: rows without numbers, gaps, and what is not there and is taken as constant."""
+    """Lines: rows without numbers, gaps, and values that no rig has."""
     lines = []
     for signal, values in record.signals.items():
         good = numpy.isfinite(values)
@@ -192,7 +194,12 @@ def remarks_of(record):
     lines += ["%s is %.4g times as large from %.6g s on, as if its unit changed from %s to %s; check its values before that time and after it" %
               (signal, ratio, record.time[row], before, after) for signal, row, ratio, before, after in unit_changes(record.time, record.signals)]
     lines += below_bottom(record) + unlikely(record) + fast_block(record) + far_loads(record) + contradictions(record)
-    return lines + ["has no %s: %s" % (signal, so) for signal, so in (
+    return lines
+
+
+def assumptions(record):
+    """Lines on what is not there and is taken as constant."""
+    return ["has no %s: %s" % (signal, so) for signal, so in (
         ("flow", "the pump is assumed to be off"), ("top_drive_speed", "the string is assumed not to rotate"),
         ("bit_depth", "the string is assumed to move with the block at all times")) if signal not in record]
 
