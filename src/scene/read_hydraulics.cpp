@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "read_hydraulics.h"
 
+#include <cmath>
 #include <map>
 
 #include "drill_rig_sim/hydraulics/rheology.h"
@@ -152,7 +153,11 @@ void read_nozzles(const YAML::Node& node, const std::string& path, std::vector<d
               const double unit = has_unit ? 1.0 : nozzle_unit;
               const Range allowed = has_unit ? between(4.0 * nozzle_unit, 64.0 * nozzle_unit) : between(4.0, 64.0);
               double value = 0.0;
-              if (read_number(item, at, allowed, has_unit ? "m" : "1/32 in", value, problems)) nozzles.push_back(unit * value);
+              if (!read_number(item, at, allowed, has_unit ? "m" : "1/32 in", value, problems)) return;
+              if (!has_unit && value != std::floor(value))
+                problems.add(at, plain(value) + " is not a whole number of 1/32 in; if it is in another unit, write it: " +
+                                     plain(value) + " mm");
+              nozzles.push_back(unit * value);
             });
 }
 

@@ -23,8 +23,9 @@ constexpr double slim_pipe = 0.1;                    // thinner pipe may have sl
 constexpr double steepest_slant = 50.0 * degree;     // slant rigs begin with up to 45 deg
 constexpr double least_radians = 0.1, most_radians = 1.8;  // largest inclination of a hole that is not vertical [rad]
 constexpr std::size_t fewest_radians = 4;                  // azimuths that are no whole numbers
-constexpr double warmest_rock = 300.0;                     // that is drilled, but for geothermal wells into magma [degC]
-constexpr double sharpest = 30.0 * degree / 30.0;          // short-radius holes turn up to this [rad/m]
+constexpr double four_digits = 6e-5;
+constexpr double warmest_rock = 300.0;             // that is drilled, but for geothermal wells into magma [degC]
+constexpr double sharpest = 30.0 * degree / 30.0;  // short-radius holes turn up to this [rad/m]
 
 template <class... Values>
 std::string line(const char* form, Values... values)
@@ -87,6 +88,25 @@ std::string unlikely_rock(const Scene& scene)
       "260 degC: are gradient and unit right?",
       scene.temperature->gradient, rock, depth);
 }
+// inclinations that are multiples of 5 deg in radians to four digits, as of a plan; one in 700 is so by chance
+std::string round_in_radians(const std::vector<SurveyStation>& survey)
+{
+  std::size_t inclined = 0;
+  double largest = 0.0;  // its number
+  for (const SurveyStation& station : survey)
+  {
+    const double number = std::abs(station.inclination) / degree, fives = std::round(number / (5.0 * degree));
+    if (number == 0.0) continue;
+    if (fives < 1.0 || number > most_radians || std::abs(number - fives * 5.0 * degree) > four_digits) return "";
+    ++inclined;
+    largest = std::fmax(largest, number);
+  }
+  if (inclined < 2) return "";
+  return line(
+      "inclinations such as %g deg look like radians (%.0f deg); is the unit right? As degrees the hole is vertical within %g "
+      "deg",
+      largest, largest / degree, largest);
+}
 }  // namespace
 
 std::vector<std::string> unlikely_values(const Scene& scene, bool stations)
@@ -94,8 +114,8 @@ std::vector<std::string> unlikely_values(const Scene& scene, bool stations)
   std::vector<std::string> lines{unlikely_mud(scene.mud.density)};
   const std::vector<SurveyStation>& survey = scene.well.survey;
   if (stations)
-    for (const std::string& text :
-         {sharp_turn(survey), like_radians(survey), like_feet(survey), wrong_digit(survey, *length_unit("m"))})
+    for (const std::string& text : {sharp_turn(survey), flat_begin(survey), like_radians(survey), like_feet(survey),
+                                    wrong_digit(survey, *length_unit("m"))})
       lines.push_back(text.empty() ? "" : "well.stations: " + text);
   lines.push_back(unlikely_rock(scene));
   for (std::size_t i = 0; i < scene.string.size(); ++i)
@@ -125,6 +145,7 @@ std::string sharp_turn(const std::vector<SurveyStation>& survey)
 
 std::string like_radians(const std::vector<SurveyStation>& survey)
 {
+  if (const std::string text = round_in_radians(survey); !text.empty()) return text;
   double inclination = 0.0, azimuth = 0.0;
   std::size_t fractions = 0;
   std::vector<SurveyStation> turned = survey;  // the numbers read as radians

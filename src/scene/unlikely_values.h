@@ -21,8 +21,8 @@ std::string sharp_turn(const std::vector<SurveyStation>& survey);
 std::string flat_begin(const std::vector<SurveyStation>& survey);
 
 /// Where the numbers of a survey in degrees are like radians: no inclination above 1.8, no azimuth above 2 pi, most azimuths no
-/// whole numbers, and as radians a hole without sharp turns; empty: they are not. The azimuths of a vertical hole go all the way
-/// round.
+/// whole numbers, and as radians a hole without sharp turns; or all inclinations multiples of 5 deg in radians. Empty: they are
+/// not. The azimuths of a vertical hole go all the way round.
 std::string like_radians(const std::vector<SurveyStation>& survey);
 
 }  // namespace drill_rig_sim

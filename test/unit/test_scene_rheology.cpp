@@ -141,6 +141,9 @@ TEST(SceneRheology, refusals)
             "r.yaml:6: string[0].nozzle_area: is given together with nozzles, allowed: one of the two");
   EXPECT_EQ(refusal(scene_text(", rheology: " + bingham, ", nozzles: [0.375]")),
             "r.yaml:6: string[0].nozzles[0]: 0.375 is out of range, allowed: 4 to 64 1/32 in");
+  EXPECT_EQ(refusal(scene_text(", rheology: " + bingham, ", nozzles: [12, 11.1]")),
+            "r.yaml:6: string[0].nozzles[1]: 11.1 is not a whole number of 1/32 in; if it is in another unit, write it: 11.1 mm");
+  EXPECT_EQ(refusal(scene_text(", rheology: " + bingham, ", nozzles: [12, 11.1 mm]")), "");
   EXPECT_EQ(
       refusal(scene_text(", rheology: " + bingham, ", nozzles: []")),
       "r.yaml:6: string[0].nozzles: an empty list is given, allowed: a list of diameters in 1/32 in, 4 to 64, or with a unit");
