@@ -37,6 +37,32 @@ void print_weight(double weight, double most, const std::string& key, const Prin
       key.c_str(), printed(weight, Dimension::force, tenth_kilonewton).c_str(), 100.0 * weight / most,
       printed(most, Dimension::force, tenth_kilonewton).c_str());
 }
+
+/// @param threshold  of the rock at the hole's bottom [N]
+void print_threshold(double weight, double threshold, const std::string& key, const Printed& printed)
+{
+  if (weight > threshold) return;
+  std::printf(
+      "weight      %s: %s is not above the threshold of the rock at the bottom, %s: the bit does not drill there; use a larger "
+      "weight\n",
+      key.c_str(), printed(weight, Dimension::force, tenth_kilonewton).c_str(),
+      printed(threshold, Dimension::force, tenth_kilonewton).c_str());
+}
+
+/// Limits of the winch that act with nothing but the string on the hook.
+void print_winch(const HoistingSpec& hoisting, double hook_load, const Printed& printed)
+{
+  const auto line = [&](const char* key, double limit, const char* side, const char* so)
+  {
+    std::printf("winch       rig.hoisting.%s: %s is %s the hook load at the start, %s: %s; is its unit right?\n", key,
+                printed(limit, Dimension::force, tenth_kilonewton).c_str(), side,
+                printed(hook_load, Dimension::force, tenth_kilonewton).c_str(), so);
+  };
+  if (hoisting.trip_hook_load > 0.0 && hoisting.trip_hook_load <= hook_load)
+    line("trip_hook_load", hoisting.trip_hook_load, "below", "the brake is set whenever the string is raised");
+  if (hoisting.min_hook_load >= hook_load)
+    line("min_hook_load", hoisting.min_hook_load, "above", "the winch does not lower the string");
+}
 }  // namespace
 
 double turning_torque(const RigAtRest& rig)
@@ -66,12 +92,18 @@ void print_margins(const RigAtRest& rig, const Printed& printed)
     if (const double limit = scene.program[i].torque_limit; limit > 0.0 && limit < surely * torque)
       print_torque(limit, torque, item_key("program", i, "top_drive_torque_limit"), printed);
 
+  print_winch(scene.rig.hoisting, rig.statics.top_force + standard_gravity * scene.rig.hoisting.block_mass, printed);
+
   const double most_weight = rig.statics.top_force + rig.statics.forces.wob;
   if (most_weight <= 0.0) return;  // friction or the block pushes the string in
   print_weight(scene.start.weight_on_bit, most_weight, "start.weight_on_bit", printed);
+  const double threshold = rig.model->rock_under(rig.state.well).threshold;
   for (std::size_t i = 0; i < scene.operations.size(); ++i)
     if (traits_of(scene.operations[i].kind).drills)
+    {
       print_weight(scene.operations[i].weight, most_weight, item_key("operations", i, "weight"), printed);
+      print_threshold(scene.operations[i].weight, threshold, item_key("operations", i, "weight"), printed);
+    }
 }
 
 }  // namespace drill_rig_sim

@@ -12,8 +12,9 @@ namespace drill_rig_sim
 /// @param rig  build_at_rest() of the scene
 double turning_torque(const RigAtRest& rig);
 
-/// Prints what the rig cannot do though each of its numbers is allowed, a line each: a top drive that cannot turn the string, and
-/// a weight on bit near the hook load of the string off bottom, which is all that there is to set down.
+/// Prints what the rig cannot do though each of its numbers is allowed, a line each: a top drive that cannot turn the string, a
+/// winch that its limits stop at the start, and a weight on bit near the hook load of the string off bottom, which is all that
+/// there is to set down.
 void print_margins(const RigAtRest& rig, const Printed& printed);
 
 }  // namespace drill_rig_sim

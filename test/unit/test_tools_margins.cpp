@@ -91,6 +91,33 @@ TEST(Margins, aWeightNearThatOfTheStringIsReported)
   EXPECT_NE(printed(scene, "oilfield").find(" klbf is 90 %"), std::string::npos);
 }
 
+TEST(Margins, aWeightBelowTheThresholdOfTheRockIsReported)
+{
+  Scene scene = drilling_scene();
+  for (FormationLayer& layer : scene.formation) layer.threshold = 20e3;
+  scene.operations = {drilling_with(25e3), drilling_with(5e3)};
+  const std::string text = printed(scene);
+  EXPECT_EQ(
+      text.rfind("weight      operations[1].weight: 5.0 kN is not above the threshold of the rock at the bottom, 20.0 kN", 0), 0u)
+      << text;
+}
+
+TEST(Margins, aWinchThatItsLimitsStopIsReported)
+{
+  Scene scene = drilling_scene();
+  const RigAtRest rig = build_at_rest(scene);
+  const double hangs = rig.statics.top_force + standard_gravity * scene.rig.hoisting.block_mass;
+  scene.rig.hoisting.trip_hook_load = 1.01 * hangs;
+  scene.rig.hoisting.min_hook_load = 0.99 * hangs;
+  EXPECT_EQ(printed(scene), "");
+  scene.rig.hoisting.trip_hook_load = 1500.0;  // kN
+  EXPECT_EQ(printed(scene).rfind("winch       rig.hoisting.trip_hook_load: 1.5 kN is below the hook load at the start, ", 0), 0u)
+      << printed(scene);
+  scene.rig.hoisting.trip_hook_load = 0.0;
+  scene.rig.hoisting.min_hook_load = 1.01 * hangs;
+  EXPECT_NE(printed(scene).find("the winch does not lower the string"), std::string::npos) << printed(scene);
+}
+
 TEST(Margins, aWeightOfAnOperationIsReported)
 {
   Scene scene = drilling_scene();
