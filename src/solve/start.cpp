@@ -139,12 +139,19 @@ std::vector<double> estimated_stretch(const Mesh& mesh, const Scene& scene, cons
   throw std::runtime_error("start: " + what);
 }
 
+/// What the string pulls along its hole, without friction [N].
+double string_pull(const Scene& scene, const Mesh& mesh, const Wellbore& well, double depth)
+{
+  double pull = standard_gravity * mesh.bit_mass;
+  const double level = fill_level(scene.mud, depth);
+  for (const MeshElement& e : mesh.elements) pull += pull_along_hole(e, scene, well, depth -= e.section.length, level);
+  return pull;
+}
+
 /// A weight on bit that string and block together do not make, whatever the equilibrium.
 void check_weight_on_bit(const Scene& scene, const Mesh& mesh, const Wellbore& well, double depth)
 {
-  double most = standard_gravity * (scene.rig.hoisting.block_mass + mesh.bit_mass);
-  const double level = fill_level(scene.mud, depth);
-  for (const MeshElement& e : mesh.elements) most += pull_along_hole(e, scene, well, depth -= e.section.length, level);
+  const double most = standard_gravity * scene.rig.hoisting.block_mass + string_pull(scene, mesh, well, depth);
   if (scene.start.weight_on_bit < most) return;
   std::ostringstream message;
   message << "weight_on_bit: " << scene.start.weight_on_bit << " N is more than string and block weigh, allowed: less than "
@@ -174,9 +181,13 @@ void find_equilibrium(const Scene& scene, const Wellbore& well, double depth, co
   if (!scene.mud.fill.empty() && rig.statics.converged) rest();  // the mud stands where the string at rest has it
   if (rig.statics.converged) return;
   std::ostringstream message;
-  if (work >= kMostWork)
+  const double pull = string_pull(scene, mesh, well, depth);
+  if (scene.start.weight_on_bit > pull)
+    message << "weight_on_bit: " << scene.start.weight_on_bit << " N is more than the string pulls along its hole, " << pull
+            << " N: the block would push it in, and it buckles; use a smaller weight";
+  else if (work >= kMostWork)
     message << "no static equilibrium found with " << rig.model->nodes() << " nodes within the allowed number of iterations, "
-            << kMostWork / rig.model->nodes() << "; use a larger numerics.element_length";
+            << static_cast<long>(most) << "; use a larger numerics.element_length";
   else
     message << "no static equilibrium found for the string at bit depth " << depth << " m (residual " << rig.statics.residual
             << " N after " << rig.statics.iterations
@@ -184,20 +195,26 @@ void find_equilibrium(const Scene& scene, const Wellbore& well, double depth, co
   fail(message.str());
 }
 
-/// What could not rest is no start: a slack line, or a bit that its rock does not hold.
-void check_loads_of_bit(const StartSpec& start, const Model& model, const Wellbore& well, double hook_load)
+/// A torque on bit that its rock does not hold, whatever the equilibrium.
+void check_torque_on_bit(const StartSpec& start, const Model& model, const Wellbore& well)
 {
-  std::ostringstream message;
   const BitSpec& bit = model.bit();
-  const FormationLayer& rock = model.rock_under(well);
-  const double most = bit_torque_limit(bit.torque, bit.diameter, start.weight_on_bit, 0.0, rock).value;
-  if (hook_load <= 0.0)
-    message << "weight_on_bit: " << start.weight_on_bit << " N is more than string and block weigh, allowed: less than "
-            << start.weight_on_bit + hook_load << " N";
-  else if (start.torque_on_bit > most)
-    message << "torque_on_bit: " << start.torque_on_bit << " N m is more than the rock can resist at this weight, allowed: up to "
-            << most << " N m";
-  if (!message.str().empty()) fail(message.str());
+  const double most = bit_torque_limit(bit.torque, bit.diameter, start.weight_on_bit, 0.0, model.rock_under(well)).value;
+  if (start.torque_on_bit <= most) return;
+  std::ostringstream message;
+  message << "torque_on_bit: " << start.torque_on_bit << " N m is more than the rock can resist at this weight, allowed: up to "
+          << most << " N m";
+  fail(message.str());
+}
+
+/// A slack line is no start.
+void check_slack_line(const StartSpec& start, double hook_load)
+{
+  if (hook_load > 0.0) return;
+  std::ostringstream message;
+  message << "weight_on_bit: " << start.weight_on_bit << " N is more than string and block weigh, allowed: less than "
+          << start.weight_on_bit + hook_load << " N";
+  fail(message.str());
 }
 
 /// What hangs on the hook must be what the winch may lift.
@@ -353,6 +370,7 @@ RigAtRest build_at_rest(const Scene& scene)
   for (int round = 0; round < kMaxRounds; ++round)
   {
     rig.model = std::make_shared<Model>(scene, build_mesh(scene, guess.length));
+    if (round == 0) check_torque_on_bit(start, *rig.model, well);
     find_equilibrium(scene, well, depth, guess, work, rig);
     errors = errors_of(scene, well, depth, rig);
     if (errors.small()) break;
@@ -363,7 +381,7 @@ RigAtRest build_at_rest(const Scene& scene)
 
   rig.state.memory.past.assign(MethodMemory::room, {std::vector<NodeRate>(rig.state.nodes.size()), 0.0});
   const double hook_load = rig.statics.top_force + standard_gravity * scene.rig.hoisting.block_mass;
-  if (on_bottom || start.torque_on_bit > 0.0) check_loads_of_bit(start, *rig.model, rig.state.well, hook_load);
+  if (on_bottom) check_slack_line(start, hook_load);
   check_hook_load(scene.rig.hoisting, hook_load);
   rig.state.hoist.line_length = line_length_for(scene.rig.hoisting, start.block_height, hook_load);
   hold_drive(scene.rig.top_drive, rig.statics.top_torque, rig.state.drive);

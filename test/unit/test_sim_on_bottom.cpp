@@ -180,6 +180,8 @@ TEST(OnBottom, aStartHoldsOnlyWhatRockAndLineHold)
   EXPECT_EQ("", refusal_of(scene));
   scene.start.torque_on_bit = 1.001 * most;
   EXPECT_EQ(0u, refusal_of(scene).find("start: torque_on_bit: ")) << refusal_of(scene);
+  scene.start.torque_on_bit = 1e3 * most;  // with which the string has no equilibrium
+  EXPECT_EQ(0u, refusal_of(scene).find("start: torque_on_bit: ")) << refusal_of(scene);
   scene.start.torque_on_bit = 0.0;
   scene.start.weight_on_bit = 2e6;
   EXPECT_EQ(0u, refusal_of(scene).find("start: weight_on_bit: ")) << refusal_of(scene);
