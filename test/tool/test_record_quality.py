@@ -130,6 +130,50 @@ class Weights(Folder):
         self.assertIn("marked BAD by Status", "\n".join(remarks))
 
 
+class ConvertedNulls(Folder):
+    """-999.25 and the like, taken to the unit of a column with all its numbers."""
+    def torque(self, head, cells):
+        rows = "".join("%d,500,20,%s\n" % (k, cell) for k, cell in enumerate(cells))
+        record = self.read("Time (s),Hook Load (kN),Block Height (m),%s\n%s" % (head, rows))
+        return record.signals[head.partition(" (")[0].lower().replace(" ", "_").replace("flow_in", "flow")], "\n".join(record.remarks)
+
+    def test_left_out(self):
+        for head, null, said in (("Torque (N.m)", "-1354.80", "-999.25 ft.lbf"), ("Torque (kN.m)", "-1.355", "-999.25 ft.lbf"), ("Torque (kft.lbf)", "-0.737", "-999.25 N.m"),
+                                 ("Flow In (gpm)", "-263.97", "-999.25 L/min"), ("Torque (N.m)", "-13556.82", "-9999 ft.lbf")):
+            with self.subTest(head, null=null):
+                values, remarks = self.torque(head, ["5.2", "5.1", null, null, "5.3"])
+                self.assertEqual([False, False, True, True, False], list(numpy.isnan(values)))
+                self.assertIn("2 values of %g %s are %s, a null value in another unit, and are treated as null values (first: " % (float(null), head.partition("(")[2][:-1], said), remarks)
+                self.assertIn("r.csv:4)", remarks)
+
+    def test_numbers(self):
+        """Other digits; no negative value; a torque that goes on below zero; too few digits: -1 kN.m is not -999.25 N.m."""
+        for cells in (["5200", "5100", "-1353.2", "5300"], ["5200", "5100", "1354.80", "5300"], ["5200", "-900", "-1354.80", "-1200"]):
+            with self.subTest(cells):
+                values, remarks = self.torque("Torque (N.m)", cells)
+                self.assertTrue(numpy.isfinite(values).all())
+                self.assertNotIn("null value", remarks)
+        values, remarks = self.torque("Torque (kN.m)", ["5", "6", "-1", "5"])
+        self.assertTrue(numpy.isfinite(values).all())
+        self.assertNotIn("null value", remarks)
+
+
+class TwoColumns(Folder):
+    """Of one signal."""
+    def test_the_one_in_a_unit_of_its_quantity_is_taken(self):
+        rows = "".join("%g,%g,%g,%g,%g\n" % (*row, 300.0 + k, 5.0) for k, row in enumerate(ROWS))
+        record = self.read("Time (s),Hook Load (klbf),Block Height (ft),Torque (amps),Rotary Torque (kft-lb)\n" + rows)
+        numpy.testing.assert_allclose(record.signals["torque"], 5e3 * 1.3558179483314)
+        self.assertIn("torque is taken from Rotary Torque (kft-lb); not used: Torque (amps)", "\n".join(record.remarks))
+
+    def test_other_numbers_in_another_unit(self):
+        head = "Time (s),Hook Load (klbf),Block Height (ft),Hook Load (kN)\n"
+        for share, differs in ((1.0, False), (1.005, False), (0.9, True)):
+            record = self.read(head + "".join("%g,%g,%g,%g\n" % (*row, share * row[1] * KLBF / 1e3) for row in ROWS))
+            said = "hook_load: Hook Load (kN) is usually %.3g times Hook Load (klbf), both in the same unit; is one of their units wrong?" % share
+            self.assertEqual(differs, said in "\n".join(record.remarks), record.remarks)
+
+
 class NotMeasured(Folder):
     def test_set_points_are_no_readings(self):
         """`Hook Load (set point)` beside the gauge, and alone."""
@@ -252,7 +296,7 @@ class SaidOfItself(Folder):
         for line in ("Data Type: Simulated", "# Data Type: Model", "Data Type,Synthetic,", "Well: A-1; Data Source = Forecast; Rig: 4", "SYNTHETIC DATA", "Source: Simulation (run 4)", "Status: Predicted values"):
             found = self.remarks("Well A-1\n" + line + "\n" + rows)
             self.assertIn("r.csv: line 2 " + self.SAID, found, line)
-        for line in ("Data Type: Measured", "Rig Model: NOV", "Rig Model,NOV,", "Source: Pason EDR", "Well Plan: rev 4", "Calculated by Pason", "Time log", "Well type: Development", "Data Type: Real time"):
+        for line in ("Data Type: Measured", "Rig Model: NOV", "Rig Model,NOV,", "Source: Pason EDR", "Well Plan: rev 4", "Calculated by Pason", "Time log", "Generated 2024-05-22 10:00", "Well type: Development", "Data Type: Real time"):
             self.assertNotIn(self.SAID, self.remarks("Well A-1\n" + line + "\n" + rows), line)
 
     def test_las(self):

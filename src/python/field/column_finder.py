@@ -5,9 +5,9 @@ from drill_rig_sim.field.columns import Column
 from drill_rig_sim.field.dates import EARLIEST, fitting, form_said, is_time_of_day, joined, seconds_of
 from drill_rig_sim.field.heading import Wanted
 from drill_rig_sim.field.quality import flags_in
-from drill_rig_sim.field.signals import NAMES, OWN, known, si_unit, word, words_in
+from drill_rig_sim.field.signals import NAMES, OWN, SIGNALS, known, si_unit, word, words_in
 from drill_rig_sim.field.table import RecordError, apart, bare, shown, unit_in
-from drill_rig_sim.field.units import DATE, is_unit
+from drill_rig_sim.field.units import DATE, factor_of, is_unit
 
 ZONES = ("tz", "timezone", "utcoffset", "gmtoffset", "zone")  # columns of time zones
 # columns of their own, of dates and of times of the day
@@ -21,6 +21,7 @@ DOWNHOLE = set("mwd lwd downhole dh bit bha motor annular annulus choke kill cem
 # what else names in brackets say that changes no number
 HARMLESS = set("avg average averaged mean ave surface surf meas measured md gauge sensor reading readings raw rig instantaneous inst current actual act real time realtime total in into well hole string "
                "top drive td rotary pump pumps pipe drill block hook bit depth along ahd live edr primary main value s sec second seconds min utc gmt".split())
+DIFFERS = 0.02  # from 1, of the ratio of two columns of one name
 MOST_SHOWN = 12  # names of columns in a line
 TRUTH = {"time", "hook_load", "bit_torque", "bit_up"}  # names that drill run --csv writes and no rig
 
@@ -115,8 +116,10 @@ def known_columns(table, remarks, mapped, taken):
     for signal, places in ((signal, places) for signal, places in by_signal.items() if signal != "time"):
         with_unit = [place for place in places if table.units[place]]
         filled = [place for place in with_unit if any(is_number(row[place]) for row in table.rows)]
+        in_known_unit = [place for place in filled if is_unit(table.units[place], SIGNALS[signal][0])]
         if with_unit:
-            found[signal] = Column([table.names[(filled or with_unit)[0]]])
+            found[signal] = Column([table.names[(in_known_unit or filled or with_unit)[0]]])
+            remarks += differing(table, signal, in_known_unit)
             passed = [table.names[place] for place in places if table.names[place] != found[signal].names[0]]
             remarks += ["%s is taken from %s; not used: %s" % (signal, found[signal].names[0], ", ".join(passed))] if passed else []
             remarks += unread_of(found[signal].names[0], signal)
@@ -128,6 +131,19 @@ def known_columns(table, remarks, mapped, taken):
             remarks.append("%s: %s is left out: it has no unit; needed: a map, --columns" % (signal, table.names[places[0]]))
     remarks += unknown_names(table, by_signal, mapped, taken)
     return {signal: column for signal, column in found.items() if column is not None}
+
+
+def differing(table, signal, places):
+    """A line on a column that has the name of the first one, another unit and other numbers: one of the units is wrong."""
+    for other in places[1:]:
+        one = places[0]
+        if word(bare(table.names[other])) != word(bare(table.names[one])) or table.units[other] == table.units[one]:
+            continue
+        ratio = factor_of(SIGNALS[signal][0], table.units[other]) / factor_of(SIGNALS[signal][0], table.units[one])
+        shares = sorted(ratio * float(row[other]) / float(row[one]) for row in table.rows if is_number(row[one]) and is_number(row[other]) and float(row[one]) != 0.0)
+        if shares and abs(shares[len(shares) // 2] - 1.0) > DIFFERS:
+            return ["%s: %s is usually %.3g times %s, both in the same unit; is one of their units wrong?" % (signal, table.names[other], shares[len(shares) // 2], table.names[one])]
+    return []
 
 
 def unread_of(name, signal):

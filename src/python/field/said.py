@@ -32,6 +32,8 @@ def is_pair(text):
 def is_such(text):
     """Whether a text says only that values are simulated or forecast."""
     words = re.findall("[a-z]+", text.lower())
+    if NOT_MEASURED.intersection(words) == {"generated"} and re.search(r"\d", text):  # when a report was made
+        return False
     return any(word in NOT_MEASURED for word in words) and all(word in NOT_MEASURED or word in FILLERS for word in words)
 
 
