@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <optional>
 #include <sstream>
 #include <utility>
@@ -14,6 +13,7 @@
 #include "survey_body.h"
 #include "survey_digits.h"
 #include "survey_header.h"
+#include "survey_lines.h"
 #include "survey_marks.h"
 #include "survey_split.h"
 #include "survey_titles.h"
@@ -23,43 +23,9 @@ namespace drill_rig_sim
 {
 namespace
 {
-constexpr int most_lines_above_header = 50;
 constexpr std::size_t most_lines_of_header = 3;
 constexpr double same_unit = 1e-5;  // share by which the foot of surveys differs from the international one, and more
 constexpr CsvDelimiters delimiters = {{{',', ","}, {';', ";"}, {'\t', "tab"}, {'|', "bar"}, {' ', "space"}}};
-
-// a column that numbers the stations may be called #
-bool is_comment(const std::string& text)
-{
-  const bool is_name = text.size() > 1 && std::strchr(",;|\t\"", text[1]) != nullptr;
-  return (text[0] == '#' && !is_name) || text[0] == '!' || text[0] == '%' || text.compare(0, 2, "//") == 0;
-}
-
-// of signs that part a header from its rows
-bool is_rule(const std::string& text)
-{
-  const bool has_run =
-      text.find("---") != std::string::npos || text.find("===") != std::string::npos || text.find("___") != std::string::npos;
-  return has_run && text.find_first_not_of(" \t\r,;|+-=_") == std::string::npos;
-}
-
-// Lines that are neither empty nor comments nor rules; they end in LF, CR LF or CR.
-std::vector<CsvLine> lines_of(const std::string& text)
-{
-  const char end = text.find('\n') == std::string::npos ? '\r' : '\n';
-  std::vector<CsvLine> lines;
-  std::size_t begin = 0;
-  for (int number = 1; begin < text.size() && lines.size() <= most_stations + most_lines_above_header; ++number)
-  {
-    const std::size_t last = std::min(text.find(end, begin), text.size());
-    std::string line = text.substr(begin, last - begin);
-    std::replace(line.begin(), line.end(), '\f', ' ');  // begins a page
-    if (line.find_first_not_of(" \t\r\",;") != std::string::npos && !is_rule(line) && !is_comment(trimmed(line)))
-      lines.push_back({number, line});
-    begin = last + 1;
-  }
-  return lines;
-}
 
 // of columns that blanks align, by the first row of data below them
 Cells joined_by_place(const std::vector<CsvLine>& lines, std::size_t first, std::size_t count)

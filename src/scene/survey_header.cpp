@@ -97,10 +97,11 @@ Words without_treatment(const Words& words)
   return without(words, treatments);
 }
 
-// AziGN, AZIM_T: the north as a word of its own
+// AziGN, AZIM_T, AzimuthTrueNorth: the north as a word of its own
 Words with_north_apart(const Words& words)
 {
-  static const std::set<std::string> ends = {"t", "tn", "true", "g", "gn", "grid", "mn", "mag"};
+  static const std::set<std::string> ends = {"t",  "tn",  "true",     "g",         "gn",        "grid",
+                                             "mn", "mag", "magnetic", "truenorth", "gridnorth", "magneticnorth"};
   Words apart;
   for (const std::string& word : words)
   {

@@ -44,7 +44,7 @@ void add_germanic(Names& all)
 {
   add(all, survey_md,
       "messtiefe messteufe gemessenetiefe gemesseneteufe bohrteufe bohrlochteufe bohrlochlange "
-      "bohrlochlaenge teufemd mdteufe tiefemd mdtiefe gemetendiepte dieptemd maltdybde maaltdybde dybdemd "
+      "bohrlochlaenge teufemd mdteufe tiefemd mdtiefe gemetendiepte dieptemd maltdybde maaltdybde maltdyp dybdemd "
       "mddybde");
   add(all, survey_md, "teufe tiefe diepte dybde", true);
   add(all, survey_inclination,
@@ -94,6 +94,14 @@ void add_slavic(Names& all)
   add(all, survey_east, "vostok wschod");
   add(all, survey_tvd, "vertikalnayaglubina vertikalnajaglubina glubinapovertikali glubinavertikalnaya");
 }
+
+void add_chinese(Names& all)
+{
+  add(all, survey_md, "井深 测深 斜深 测量深度 测量井深");
+  add(all, survey_inclination, "井斜 井斜角");
+  add(all, survey_azimuth, "方位 方位角");
+  add(all, survey_tvd, "垂深 垂直深度 垂直井深");
+}
 }  // namespace
 
 const std::map<std::string, SurveyName>& survey_names()
@@ -105,6 +113,7 @@ const std::map<std::string, SurveyName>& survey_names()
     add_germanic(all);
     add_romance(all);
     add_slavic(all);
+    add_chinese(all);
     return all;
   }();
   return names;

@@ -16,7 +16,7 @@ constexpr std::array<double, 7> nulls = {-999.0, -999.25, -9999.0, -9999.25, -99
 bool is_empty_text(const std::string& cell)
 {
   const std::string text = lowered(cell);
-  return text.empty() || text == "-" || text == "--" || text == "null" || text == "n/a" || text == "na";
+  return text.find_first_not_of('-') == std::string::npos || text == "null" || text == "n/a" || text == "na";
 }
 
 constexpr std::size_t longest_shown = 24;

@@ -107,7 +107,7 @@ std::vector<SurveyProblem> above_the_table(const std::vector<SurveyStation>& sta
 // stations from the bottom up: all of them are wrong for one reason
 bool stand_upside_down(const std::vector<SurveyStation>& stations)
 {
-  return stations.size() > 2 &&
+  return stations.size() > 2 && stations.back().md >= 0.0 &&
          std::adjacent_find(stations.begin(), stations.end(),
                             [](const SurveyStation& a, const SurveyStation& b) { return !(a.md > b.md); }) == stations.end();
 }

@@ -118,7 +118,7 @@ SURVEYS = {
 }
 NOT_SURVEYS = {
     "no unit of depth": ("MD,Inc,Azi\n" + stations(), "the header gives no unit"), "grads": ("MD (m),Inc (grad),Azi (grad)\n" + stations(), "ambiguous, allowed: gon or deg"),
-    "from the bottom up": ("MD (m),Inc (deg),Azi (deg)\n300,0,0\n200,0,0\n0,0,0\n", "from the bottom up"), "negative depths": ("MD (m),Inc (deg),Azi (deg)\n" + stations(md=-1.0), "is not deeper than"),
+    "from the bottom up": ("MD (m),Inc (deg),Azi (deg)\n300,0,0\n200,0,0\n0,0,0\n", "from the bottom up"), "negative depths": ("MD (m),Inc (deg),Azi (deg)\n" + stations(md=-1.0), "md -100 m is out of range, allowed: 0 to 20000 m"),
     "no unit of WITSML": (xml(STATION.replace(' uom="m"', "")), "md: has no unit (uom)"), "positions alone": ("TVD (m),N/S (m),E/W (m)\n0,0,0\n", "no line names measured depth, inclination and azimuth"),
 }
 

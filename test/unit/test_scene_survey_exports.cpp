@@ -64,6 +64,11 @@ TEST(SceneSurvey, ExportsOfTheTrade)
       {"a bearing to the south-east", "MD (m);Inc (deg);Azi (deg)\n0;0;0\n500;10;S45,5E\n", 2, 500.0, 10.0, 134.5},
       {"360 and negative", "MD (m),Inc (deg),Azi (deg)\n0,0,360\n500,10,-10\n", 2, 500.0, 10.0, -10.0},
       {"rising", "MD (m),Inc (deg),Azi (deg)\n0,0,0\n500,0,0\n1000,90,45\n1500,100,45\n", 4, 1500.0, 100.0, 45.0},
+      {"names in two lines, in quotes",
+       "\"Comments\",\"MD\n(ft)\",\"Incl\n(\xc2\xb0)\",\"Azim Grid\n(\xc2\xb0)\"\nTie-In,0,0,0\n,1000,10,45\n", 2, 304.8, 10.0,
+       45.0},
+      {"a comment in two lines", "MD (m),Inc (deg),Azi (deg),Comment\n0,0,0,\"tie-in\nby gyro\"\n500,10,45,8.5\" hole\n", 2,
+       500.0, 10.0, 45.0},
       {"the tie-in line", "MD (m),Inc (deg),Azi (deg),Comment\n0,0,0,Tie-in\n500,10,45,MWD\n", 2, 500.0, 10.0, 45.0},
   };
   for (const Export& e : exports)
@@ -73,6 +78,22 @@ TEST(SceneSurvey, ExportsOfTheTrade)
     ASSERT_EQ(e.stations, static_cast<int>(table.stations.size()));
     expect_station(table.stations.back(), e.md, e.inclination, e.azimuth);
   }
+}
+
+// Lines are those of the file, also behind a cell in quotes that goes on in the next line.
+TEST(SceneSurvey, CellsOverLines)
+{
+  const std::string names = "MD (m),Inc (deg),Azi (deg),Comment\n";
+  EXPECT_TRUE(holds(refusal(names + "0,0,0,\"tie-in\nby gyro\"\n500,10,x\n"), ":4: Azi (deg): must be a finite number"));
+  EXPECT_TRUE(holds(refusal(names + "0,0,0,\"tie-in\n500,10,x,\n"), ":3: Azi (deg): must be a finite number"))
+      << "a quote that does not end";
+}
+
+// Depths below zero are not stations from the bottom up.
+TEST(SceneSurvey, NegativeDepths)
+{
+  EXPECT_TRUE(
+      holds(refusal("MD (m),Inc (deg),Azi (deg)\n0,0,0\n-500,10,45\n-1000,12,45\n"), ":3: station 2: md -500 m is out of range"));
 }
 
 // Reports of planning programs: blanks align the columns, and their names go over lines.

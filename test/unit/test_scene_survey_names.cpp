@@ -33,7 +33,8 @@ TEST(SurveyNames, AreKnownInSeveralLanguages)
         "Malt dybde (m);Helning (grader);Retning (grader)", "Profondità misurata (m);Inclinazione (°);Azimut (°)",
         "Głębokość mierzona (m);Kąt odchylenia (°);Azymut (°)", "Глубина по стволу, м;Зенитный угол, град;Азимут, град",
         "ГЛУБИНА ПО СТВОЛУ (м);ЗЕНИТНЫЙ УГОЛ (град.);АЗИМУТ (°)", "Glubina po stvolu (m);Zenitnyj ugol (deg);Azimut (deg)",
-        "Измеренная глубина [м];Зенит [градусы];Азимут истинный [градусы]", "Gemeten diepte (m);Inclinatie (°);Azimut (°)"})
+        "Измеренная глубина [м];Зенит [градусы];Азимут истинный [градусы]", "Gemeten diepte (m);Inclinatie (°);Azimut (°)",
+        "井深(m);井斜角(°);方位角(°)", "Målt dyp (m);Helning (grader);Asimut (grader)"})
   {
     const SurveyTable table = read(names + ("\n" + rows));
     ASSERT_EQ(2u, table.stations.size()) << names;
@@ -50,7 +51,8 @@ TEST(SurveyNames, OfOtherMakers)
 {
   for (const char* names :
        {"TMD (m);Inc'n (deg);Az_T (deg)", "MDRT (m);HDEV (deg);HDIR (deg)", "MD (mAHBRT);Zenith angle (deg);AzimT (deg)",
-        "Svy MD (m);Survey Inc (deg);Survey Azi (deg)", "Along Hole (m);Hole Dev (deg);Azimuth (°T)"})
+        "MeasuredDepth (m);Inclination (deg);AzimuthTrueNorth (deg)", "Svy MD (m);Survey Inc (deg);Survey Azi (deg)",
+        "Along Hole (m);Hole Dev (deg);Azimuth (°T)"})
   {
     const SurveyTable table = read(names + ("\n" + rows));
     ASSERT_EQ(2u, table.stations.size()) << names;
@@ -148,6 +150,7 @@ TEST(SurveyTitles, RulesArePassedOver)
   EXPECT_TRUE(found.remarks.empty());
   EXPECT_TRUE(holds(refusal("MD (m),Inc (deg),Azi (deg)\n0,0,0\n-,-,-\n500,5,40\n"), ":3: MD (m): has no value"))
       << "cells without a value";
+  EXPECT_TRUE(holds(refusal("MD (m),Inc (deg),Azi (deg)\n0,0,0\n500,5,---\n"), ":3: Azi (deg): has no value"));
 }
 
 // The answer of a server to a request for a trajectory holds it as a text.
