@@ -47,6 +47,20 @@ class Weights(Folder):
         self.assertEqual(1, len(self.weights("".join(PLAIN.splitlines(True)[:2]))[0]))
         self.assertEqual(4, len(self.weights(PLAIN + "600,87.5,83\n")[0]))
 
+    def test_names_of_the_trade(self):
+        rows = "".join("%g,%g,%g,%g\n" % (*row, 0.5 * (row[1] + row[2])) for row in ROWS)
+        for names in ("MD (m),PU (klbf),SO (klbf),ROT (klbf)", "Depth (m),Pick Up (klbf),Slack Off (klbf),Rotating (klbf)", "Bit Depth (m),PU Wt (klbs),SO Wt (klbs),Rot Wt (klbs)",
+                      "Depth,Pick-up Weight,Slack-off Weight,Rotating Weight\nm,klbs,klbs,klbs", "Measured Depth [m],PICKUP [klbf],SLACKOFF [klbf],FREE ROTATING [klbf]"):
+            with self.subTest(names):
+                depths, found, _ = self.weights(names + "\n" + rows, "{file: t.csv}")
+                numpy.testing.assert_allclose(depths, [row[0] for row in ROWS])
+                self.assertEqual(["pick_up", "slack_off", "rotating"], list(found))
+                for place, name in enumerate(("pick_up", "slack_off")):
+                    numpy.testing.assert_allclose(found[name], [KLBF * row[1 + place] for row in ROWS])
+        for names in ("Depth (m),PU (klbf),Pick Up (klbf),ROT (klbf)", "TVD (m),PU (klbf),SO (klbf),ROT (klbf)"):
+            with self.subTest(names), self.assertRaises((RecordError, PlanError)):
+                self.weights(names + "\n" + rows, "{file: t.csv}")
+
     def test_errors_of_weights_that_drill_weights_has_found(self):
         self.file("t.csv", "motion,rows,deviation (N),depth (m),pick_up (N),slack_off (N)\npick_up,8,1000,900,400e3,\nslack_off,2,3000,890,,350e3\n")
         fit = plan_of(self.file("f.yaml", "{file: t.csv}"))
@@ -129,7 +143,7 @@ class Weights(Folder):
                 (PLAIN.replace("900", "nan"), FIT, "t.csv:3: MD: nan is not a depth of a well"), (PLAIN.replace("900", ""), FIT, "t.csv:3: MD: an empty cell is not a depth"),
                 (PLAIN.replace("900", "-900"), FIT, "t.csv:3: MD: -900 is not a depth"), (PLAIN.replace("104.25", '"104,25"'), FIT, "t.csv:3: PU: 104,25 is not a number with a decimal point"),
                 (PLAIN.replace("104.25,", ""), FIT, "t.csv:3: has 2 cells, the header 3"), (PLAIN, "{file: t.csv, depth: {column: MD, unit: m}}", "needs depth and one or more of pick_up"),
-                (PLAIN, "{file: t.csv}", "f.yaml:1: needs depth and one or more of pick_up")):
+                (PLAIN, "{file: t.csv}", "t.csv: bit_depth: MD has no unit in the file"), (PLAIN.replace("MD", "X"), "{file: t.csv}", "f.yaml:1: needs depth and one or more of pick_up")):
             with self.assertRaises((PlanError, RecordError), msg=said) as caught:
                 self.weights(text, fit)
             self.assertIn(said, str(caught.exception))

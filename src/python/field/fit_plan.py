@@ -20,6 +20,7 @@ from drill_rig_sim.field.start import FROM
 from drill_rig_sim.field.table import bare
 from drill_rig_sim.field.units import is_unit
 from drill_rig_sim.field.weight_checks import leave_out_zeros, unlikely
+from drill_rig_sim.field.weight_names import called
 from drill_rig_sim.field.window import limits, stretches
 from drill_rig_sim.lockstep import Refused
 from drill_rig_sim.refusal import after
@@ -167,18 +168,18 @@ class OfWeights(Wanted):
 
     def count(self, names):
         found = [name for name in names if self.is_name(name)]
-        return len(found) if len(found) > 1 and any(bare(name) == "depth" for name in found) else 0
+        return len(found) if len(found) > 1 and any(called(name) == "depth" for name in found) else 0
 
     def is_name(self, name):
-        return quantity_of(bare(name)) is not None and bare(name) not in WAYS
+        return called(name) is not None
 
 
 def known_columns(table):
     """Column by depth and weight, of those that were measured. RecordError where two are called alike."""
     found = {}
     for name in table.names:
-        what, words = bare(name), words_in(name)
-        if what in WAYS or quantity_of(what) not in ("bit_depth", "hook_load") or words & (NOT_MEASURED | (VERTICAL if what == "depth" else set())):
+        what, words = called(name), words_in(name)
+        if what is None or quantity_of(what) not in ("bit_depth", "hook_load") or words & (NOT_MEASURED | (VERTICAL if what == "depth" else set())):
             continue
         if what in found:
             raise RecordError("%s: several columns are %s: %s, %s; needed: one, or %s: {column: NAME} in the fit's file" % (table.file, what, found[what].names[0], name, what))
