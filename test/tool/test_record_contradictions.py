@@ -82,41 +82,6 @@ class Units(Folder):
         self.reported(["hole_depth: it grows while the bit is usually 6843 m above the bottom"], hole_depth=1.0 / FEET)
 
 
-def moving(load, stands=range(0), bit=1.0):
-    """Rows of a block that goes down by 2 cm a second; `load` by row [kN], `stands`: rows in which the block does not move; `bit`: its speed over the block's."""
-    lines, way = ["Time (s),Hook Load (kN),Block Height (m),Bit Depth (m)"], 0.0
-    for k in range(100):
-        way += 0.0 if k in stands else 0.02
-        lines.append("%d,%.2f,%.3f,%.3f" % (k, load(k), 25.0 - way, 1000.0 + bit * way))
-    return "\n".join(lines) + "\n"
-
-
-class StuckGauge(Folder):
-    """A hook load that varies by 0.1 kN from row to row."""
-    @staticmethod
-    def load(k):
-        return 500.0 + 0.1 * (k % 7)
-
-    def said(self, text):
-        return [line.partition(": ")[2] for line in self.read(text).remarks if "it is 0 from" in line or "it stays at" in line]
-
-    def test_zeros_while_the_bit_moves(self):
-        zeros = range(40, 50)
-        found = self.said(moving(lambda k: 0.0 if k in zeros else self.load(k)))
-        self.assertEqual(["hook_load: it is 0 from 40 to 49 s while the bit moves; are its values missing there? Then write null: 0 for its column in a map"], found)
-        self.assertEqual([], self.said(moving(lambda k: 0.0 if k in zeros else self.load(k), bit=0.0)), "in the slips, without the block")
-        self.assertEqual([], self.said(moving(lambda k: 0.0 if k in zeros else self.load(k), stands=zeros)), "set down")
-        self.assertEqual([], self.said(moving(self.load)))
-
-    def test_a_load_that_stays(self):
-        found = self.said(moving(lambda k: 500.3 if 30 <= k < 60 else self.load(k)))
-        self.assertEqual(1, len(found))
-        self.assertTrue(found[0].startswith("hook_load: it stays at 500.3 kN from 30 to 59 s while the block moves"), found)
-        self.assertEqual([], self.said(moving(lambda k: 500.3 if 30 <= k < 60 else self.load(k), stands=range(29, 60))), "at rest")
-        self.assertEqual([], self.said(moving(lambda k: 500.0 if k % 10 else 501.0)), "steps of its resolution")
-        self.assertEqual([], self.said(moving(lambda k: 500.3 if 30 <= k < 45 else self.load(k))), "too short")
-
-
 class Titles(Folder):
     def test_units_of_a_title(self):
         """Taken where the names have none; a map goes before it."""
