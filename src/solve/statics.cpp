@@ -11,6 +11,7 @@
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/model/evaluate.h"
 #include "drill_rig_sim/model/forces/force.h"
+#include "drill_rig_sim/model/forces/mud_drag.h"
 #include "drill_rig_sim/solve/kinsol_equilibrium.h"
 #include "drill_rig_sim/well/directions.h"
 
@@ -94,16 +95,14 @@ public:
   Workspace work;
 
 private:
-  /// What the force mud_drag is at the speeds of the motion, which the stage's nodes do not have.
+  /// At the speeds of the motion, which the stage's nodes do not have.
   void add_mud_drag(double* residual) const noexcept
   {
     for (int i = 0; i < model_.nodes(); ++i)
     {
-      const MeshNode& node = model_.mesh().nodes[static_cast<std::size_t>(i)];
-      const Vector3d down =
-          stage.guides.guided[static_cast<std::size_t>(i)] ? Vector3d(stage.guides.tangent[i]) : Vector3d(stage.normal[i]);
-      at_node(residual, i).head<3>() += stage.immersed[i] * node.mud_along * stage.sliding.axial_speed * down;
-      at_node(residual, i).tail<3>() += stage.immersed[i] * node.mud_about * stage.sliding.spin_speed * down;
+      const bool guided = stage.guides.guided[static_cast<std::size_t>(i)];
+      const Vector3d down = guided ? stage.guides.tangent[i] : stage.normal[i];
+      at_node(residual, i) += mud_drag_of_sliding(model_, stage, i, down);
     }
   }
 

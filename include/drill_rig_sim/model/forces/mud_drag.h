@@ -11,6 +11,12 @@ namespace drill_rig_sim
 /// diameter.
 extern const Force mud_drag;
 
+/// What it is on node i of a string that moves as the stage's `sliding` says, whatever rates the stage's nodes have: force and
+/// moment [N, N m].
+/// @param down  the string's direction, towards the bit
+Eigen::Matrix<double, 6, 1> mud_drag_of_sliding(const Model& model, const Stage& stage, int i,
+                                                const Eigen::Vector3d& down) noexcept;
+
 }  // namespace drill_rig_sim
 
 #endif
