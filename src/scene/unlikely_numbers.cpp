@@ -18,7 +18,6 @@ constexpr double usual_weight = 100e3,
                  usual_speed = 10.0;  // on the bit and of it, at which rates of rocks are compared [N], [rad/s]
 constexpr double slowest = 0.001 / 3600.0, fastest = 2e4 / 3600.0;  // that rocks drill so [m/s]
 constexpr double most_flow = 0.15;                                  // of the pumps of a rig [m3/s]
-constexpr double least_loss = 1e5, most_loss = 1e8;                 // of pressure at the pump's largest flow [Pa]
 constexpr double rate_at_300_rpm = 300.0 * shear_rate_per_rpm;      // of a viscometer [1/s]
 constexpr double most_stress = 300.0 * stress_per_dial_degree;      // that it shows [Pa]
 constexpr double least_weight = 500.0, least_flow = 5e-4;           // [N], [m3/s]
@@ -57,14 +56,8 @@ void add_rig(const RigSpec& rig, std::vector<SizedNumber>& all)
   all.push_back({"rig.heave.amplitude", rig.heave.amplitude, 0.0, 4.0, "m", "rigs heave by while they drill (up to 3 m)"});
 }
 
-/// Losses by one coefficient are those of a rig without a rheology.
 void add_mud(const Scene& scene, std::vector<SizedNumber>& all)
 {
-  const MudPumpSpec& pump = scene.rig.mud_pump;
-  const double square = pump.max_flow * pump.max_flow;
-  if (!scene.rheology && pump.pressure_coefficient > 0.0)
-    all.push_back({"rig.mud_pump.pressure_coefficient", pump.pressure_coefficient, least_loss / square, most_loss / square,
-                   "Pa s2/m6", "wells lose pressure by at max_flow (1 to 40 MPa)"});
   if (scene.mud.density > 0.0)
     all.push_back({"mud.density", scene.mud.density, 0.0, 2550.0, "kg/m3", "muds weigh (800 to 2400 kg/m3)"});
   all.push_back(

@@ -125,18 +125,6 @@ TEST(SceneUnlikely, MudThatNoViscometerShowsIsReported)
   EXPECT_EQ(without("60 cP"), 0u);
 }
 
-TEST(SceneUnlikely, LossesOfTheWholeWellAre)
-{
-  const auto said = [](const char* coefficient)
-  {
-    return parse_scene(scene_text("", ""), "s.yaml", {std::string("rig.mud_pump.pressure_coefficient=") + coefficient})
-        .remarks.size();
-  };
-  EXPECT_EQ(said("4"), 1u);  // 0.01 Pa at 0.06 m3/s
-  EXPECT_EQ(said("4e11"), 1u);
-  for (const char* usual : {"0", "4e8", "2e10"}) EXPECT_EQ(said(usual), 0u) << usual;
-}
-
 TEST(SceneUnlikely, LoadsAndFlowsOfTheProgramAre)
 {
   const auto said = [](const std::string& end)
