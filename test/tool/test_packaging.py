@@ -4,9 +4,12 @@
 import contextlib
 import io
 import os
+import re
+import shutil
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 
 sys.dont_write_bytecode = True
@@ -26,6 +29,48 @@ class Run(unittest.TestCase):
         self.assertEqual((2, 'run: --suite must be bullseye, bookworm, trixie or sid (got buster)'), refused('--suite', 'buster'))
         self.assertEqual((2, 'run: --keep needs a value'), refused('--keep'))
         self.assertEqual((2, 'run: unknown option: --fast'), refused('--fast'))
+
+
+class Sources(unittest.TestCase):
+    """What the chroot gets of a checkout."""
+
+    def setUp(self):
+        if not shutil.which('git'):
+            self.skipTest('git is not installed')
+        holder = tempfile.TemporaryDirectory()
+        self.addCleanup(holder.cleanup)
+        self.folder = holder.name
+        with open(os.path.join(FOLDER, 'run'), encoding='utf-8') as text:
+            self.function = re.search(r'^copy_sources\(\)$.*?^}$', text.read(), re.M | re.S).group(0)
+
+    def checkout(self, name, age, **files):
+        """A repository with these files, so old [s]."""
+        place = os.path.join(self.folder, name)
+        os.makedirs(place)
+        subprocess.run(['git', 'init', '-q', place], check=True)
+        for file, text in files.items():
+            with open(os.path.join(place, file), 'w', encoding='utf-8') as out:
+                out.write(text)
+            os.utime(os.path.join(place, file), (time.time() - age,) * 2)
+        return place
+
+    def copied(self, place):
+        """Text and time of the files in the chroot, after a copy from there."""
+        subprocess.run(['bash', '-eu', '-c', self.function + '\ncopy_sources "$1" "$2"', 'bash', place, self.folder + '/src'], check=True)
+        found = {}
+        for entry in os.scandir(self.folder + '/src/drill_rig_sim'):
+            with open(entry.path, encoding='utf-8') as text:
+                found[entry.name] = text.read(), entry.stat().st_mtime
+        return found
+
+    def test_they_are_those_of_the_checkout_however_old(self):
+        first = self.copied(self.checkout('newer', 100.0, same='a', other='b', gone='c'))
+        self.assertEqual({'same': 'a', 'other': 'b', 'gone': 'c'}, {name: text for name, (text, _) in first.items()})
+        time.sleep(0.02)
+        second = self.copied(self.checkout('older', 10000.0, same='a', other='d'))
+        self.assertEqual({'same': 'a', 'other': 'd'}, {name: text for name, (text, _) in second.items()})
+        self.assertEqual(first['same'], second['same'], 'make would build it again')
+        self.assertGreater(second['other'][1], first['other'][1], 'make would not build it')
 
 
 class Things(unittest.TestCase):
