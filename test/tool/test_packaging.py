@@ -41,7 +41,7 @@ class Sources(unittest.TestCase):
         self.addCleanup(holder.cleanup)
         self.folder = holder.name
         with open(os.path.join(FOLDER, 'run'), encoding='utf-8') as text:
-            self.function = re.search(r'^copy_sources\(\)$.*?^}$', text.read(), re.M | re.S).group(0)
+            self.functions = re.search(r'^contents\(\)$.*?^copy_sources\(\)$.*?^}$', text.read(), re.M | re.S).group(0)
 
     def checkout(self, name, age, **files):
         """A repository with these files, so old [s]."""
@@ -56,7 +56,7 @@ class Sources(unittest.TestCase):
 
     def copied(self, place):
         """Text and time of the files in the chroot, after a copy from there."""
-        subprocess.run(['bash', '-eu', '-c', self.function + '\ncopy_sources "$1" "$2"', 'bash', place, self.folder + '/src'], check=True)
+        subprocess.run(['bash', '-eu', '-c', self.functions + '\ncopy_sources "$1" "$2"', 'bash', place, self.folder + '/src'], check=True)
         found = {}
         for entry in os.scandir(self.folder + '/src/drill_rig_sim'):
             with open(entry.path, encoding='utf-8') as text:
