@@ -55,16 +55,30 @@ missing_packages()
   done
 }
 
-# How much apt is about to do: say_size APT "PACKAGES".
+# How much apt is about to do, where its lists are there: say_size APT "PACKAGES".
 say_size()
 {
   local plan
-  plan=$($1 install --assume-no --no-install-recommends $2 | sed -n -E 's/.* ([0-9]+) newly installed.*/\1 packages with all that they need/p
+  plan=$($1 install --assume-no --no-install-recommends $2 2>/dev/null | sed -n -E 's/.* ([0-9]+) newly installed.*/\1 packages with all that they need/p
     s/^Need to get ([^/]*).* of archives.*/\1 to download/p; s/^After this operation, (.*) of additional.*/\1 on disk/p')
   [ -z "$plan" ] || say "apt: ${plan//$'\n'/, }"
 }
 
-# Installs what is missing of the packages named; status 1 where apt fails, exit 2 without root and sudo.
+# Asks on a terminal whether sudo may install "PACKAGES"; with yes=true, and where nobody can answer, it may. Exit 2 where it may not.
+ask_for_sudo()
+{
+  local answer
+  ! ${yes:-false} && [ -t 0 ] || return 0
+  say "$(wc -w <<<"$1") packages are missing: $1"
+  say_size "apt-get -o Debug::NoLocking=1" "$1"
+  read -rp "${0##*/}: install them with sudo? [Y/n] " answer || answer=n
+  case "$answer" in ""|[Yy]*) return 0 ;; esac
+  complain "nothing is installed. With --no-install it goes on without them; as root:"
+  complain "  apt-get update && apt-get install -y --no-install-recommends $1"
+  exit 2
+}
+
+# Installs what is missing of the packages named; status 1 where apt fails, exit 2 without root and sudo, or where the user says no.
 install_packages()
 {
   local missing apt
@@ -81,6 +95,7 @@ install_packages()
   if [ "$(id -u)" = 0 ]; then
     apt="env LC_ALL=C DEBIAN_FRONTEND=noninteractive $apt"
   elif command -v sudo >/dev/null; then
+    ask_for_sudo "$missing"
     apt="sudo env LC_ALL=C DEBIAN_FRONTEND=noninteractive $apt"
   else
     complain "packages are missing, and there is neither root nor sudo. As root, run:"
