@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drill_margins.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <string>
@@ -65,6 +66,26 @@ void print_winch(const HoistingSpec& hoisting, double hook_load, const Printed& 
 }
 }  // namespace
 
+void print_bits_that_stand(const Scene& scene)
+{
+  const bool motor =
+      std::any_of(scene.string.begin(), scene.string.end(), [](const PartSpec& part) { return part.motor.has_value(); });
+  bool rotates = false, pumps = false;
+  for (std::size_t i = 0; i < scene.operations.size(); ++i)
+  {
+    const Operation& o = scene.operations[i];
+    if (o.kind == OperationKind::rotate) rotates = o.rotary_speed != 0.0;
+    if (o.kind == OperationKind::flow) pumps = o.flow > 0.0;
+    const bool turns = (rotates && o.kind != OperationKind::slide) || (motor && pumps);
+    if (!traits_of(o.kind).drills || turns || o.rotary_speed != 0.0) continue;
+    std::printf("bit         operations[%zu]: nothing turns the bit when it begins to %s; needed before it: %s\n", i,
+                word_of(o.kind),
+                motor                            ? "flow, for the motor"
+                : o.kind == OperationKind::slide ? "a motor in the string, and flow"
+                                                 : "rotate");
+  }
+}
+
 double turning_torque(const RigAtRest& rig)
 {
   const Scene& scene = rig.model->scene();
@@ -92,6 +113,7 @@ void print_margins(const RigAtRest& rig, const Printed& printed)
     if (const double limit = scene.program[i].torque_limit; limit > 0.0 && limit < surely * torque)
       print_torque(limit, torque, item_key("program", i, "top_drive_torque_limit"), printed);
 
+  if (scene.program.empty()) print_bits_that_stand(scene);
   print_winch(scene.rig.hoisting, rig.statics.top_force + standard_gravity * scene.rig.hoisting.block_mass, printed);
 
   const double most_weight = rig.statics.top_force + rig.statics.forces.wob;

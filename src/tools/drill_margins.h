@@ -17,6 +17,10 @@ double turning_torque(const RigAtRest& rig);
 /// there is to set down.
 void print_margins(const RigAtRest& rig, const Printed& printed);
 
+/// Prints the operations that drill, before which neither the top drive nor a motor turns the bit; print_margins() does, where no
+/// program turns it.
+void print_bits_that_stand(const Scene& scene);
+
 }  // namespace drill_rig_sim
 
 #endif

@@ -37,6 +37,14 @@ Operation drilling_with(double weight)
   o.weight = weight;
   return o;
 }
+
+Operation turning(double rotary_speed)
+{
+  Operation o;
+  o.kind = OperationKind::rotate;
+  o.rotary_speed = rotary_speed;
+  return o;
+}
 }  // namespace
 
 TEST(Margins, turningTorqueIsFrictionTimesForceTimesRadius)
@@ -95,7 +103,7 @@ TEST(Margins, aWeightBelowTheThresholdOfTheRockIsReported)
 {
   Scene scene = drilling_scene();
   for (FormationLayer& layer : scene.formation) layer.threshold = 20e3;
-  scene.operations = {drilling_with(25e3), drilling_with(5e3)};
+  scene.operations = {turning(10.0), drilling_with(5e3)};
   const std::string text = printed(scene);
   EXPECT_EQ(
       text.rfind("weight      operations[1].weight: 5.0 kN is not above the threshold of the rock at the bottom, 20.0 kN", 0), 0u)
@@ -122,9 +130,38 @@ TEST(Margins, aWeightOfAnOperationIsReported)
 {
   Scene scene = drilling_scene();
   const double hangs = build_at_rest(scene).statics.top_force;
-  scene.operations = {drilling_with(0.79 * hangs), drilling_with(1.5 * hangs)};
+  scene.operations = {turning(10.0), drilling_with(1.5 * hangs), drilling_with(0.79 * hangs)};
   const std::string text = printed(scene);
   EXPECT_EQ(text.rfind("weight      operations[1].weight: ", 0), 0u) << text;
   EXPECT_NE(text.find(" is 150 % of"), std::string::npos) << text;
+}
+
+TEST(Margins, aBitThatNothingTurnsIsReported)
+{
+  Scene scene = drilling_scene();
+  scene.operations = {turning(0.0), drilling_with(5e3)};
+  EXPECT_EQ(printed(scene),
+            "bit         operations[1]: nothing turns the bit when it begins to drill; needed before it: rotate\n");
+  Operation flow, slide = drilling_with(5e3);
+  flow.kind = OperationKind::flow;
+  flow.flow = 0.02;
+  slide.kind = OperationKind::slide;
+  scene.operations = {turning(10.0), flow, slide};
+  EXPECT_EQ(printed(scene),
+            "bit         operations[2]: nothing turns the bit when it begins to slide; needed before it: a motor in the string, "
+            "and flow\n");
+  scene.string.front().motor.emplace();
+  const auto without_rig = [&]
+  {
+    testing::internal::CaptureStdout();
+    print_bits_that_stand(scene);
+    return testing::internal::GetCapturedStdout();
+  };
+  EXPECT_EQ(without_rig(), "");
+  scene.operations = {turning(10.0), slide};
+  EXPECT_EQ(without_rig(),
+            "bit         operations[1]: nothing turns the bit when it begins to slide; needed before it: flow, for the motor\n");
+  scene.operations = {turning(10.0), drilling_with(5e3)};
+  EXPECT_EQ(without_rig(), "");
 }
 }  // namespace drill_rig_sim::test_tools_margins
