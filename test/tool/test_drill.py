@@ -30,7 +30,7 @@ drill_program = None
 
 
 def drill(*words):
-    return subprocess.run([drill_program, *words], stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True, timeout=300)
+    return subprocess.run([drill_program, *words], stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True, timeout=900)  # with sanitizers ten times as long
 
 
 class Drill(unittest.TestCase):
