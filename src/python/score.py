@@ -11,6 +11,7 @@ import math
 import numpy
 from drill_rig_sim.companion import companion_run
 from drill_rig_sim.score_runs import FLAGS, Run, read_run
+from drill_rig_sim.spans import spans
 from drill_rig_sim.survey import Survey, angle_between, direction, read_survey
 
 ON_BOTTOM = 0.01        # so near to the hole's bottom the bit counts as on it [m]
@@ -80,8 +81,7 @@ def share(rows, weights):
 
 def periods(rows):
     """First and last index of each stretch of rows that are true."""
-    edges = numpy.flatnonzero(numpy.diff(numpy.concatenate(([0], rows.astype(int), [0]))))
-    return list(zip(edges[::2], edges[1::2] - 1))
+    return [(begin, end - 1) for begin, end in spans(rows)]
 
 
 def times_of(run, rows):

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Values of a record that no gauge measured: zeros of a gauge that was lost, the same value while the string moves, a single value far above all others."""
 import numpy
+from drill_rig_sim.spans import spans
 
 FAST = 2.5           # speed at which a block does not go to 0 and come back from there between rows [m/s]
 JUMP = 1.0           # and so far it has to go [m]
@@ -31,12 +32,6 @@ def left_out(signals, name, rows, why, place):
     """Makes the rows of a signal nan; a line on them."""
     signals[name][rows] = numpy.nan
     return ["%s: %d rows of exactly 0, %s, are no measurements (first: %s)" % (name, len(rows), why, place(rows[0]))] if len(rows) else []
-
-
-def spans(flags):
-    """(first, last + 1) of each run of true ones."""
-    edges = numpy.flatnonzero(numpy.diff(numpy.concatenate(([0], flags.astype(int), [0]))))
-    return list(zip(edges[::2], edges[1::2]))
 
 
 def jumped_to_zero(time, values, speed, beyond, cannot=lambda row, beside: False):
