@@ -204,7 +204,9 @@ void LawControls::show_news(const News& news)
   connection_->setEnabled(start_->isEnabled());
   apply_->setEnabled(runs() && !connects());
   stop_->setEnabled(process_ != nullptr);  // also while the law is about to start
-  QString text = process_ != nullptr && law_.isEmpty() ? "starting" : law_.value("problem").toString();
+  // the law's last phase until its process says that it has stopped: before, Start is not enabled
+  QString text = law_.value(runs() ? "phase" : "problem").toString();
+  if (process_ != nullptr && law_.isEmpty()) text = "starting";
   if (status != nullptr)
   {
     text = connects() ? QString("connection: ")

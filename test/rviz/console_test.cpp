@@ -138,7 +138,9 @@ void Console::open_page_of(const QString& name)
 void Console::click(const QString& name)
 {
   open_page_of(name);
-  QTest::mouseClick(get(name), Qt::LeftButton);
+  QWidget* widget = get(name);
+  wait_until([&] { return widget->isEnabled(); });
+  QTest::mouseClick(widget, Qt::LeftButton);
 }
 
 void Console::click_and_agree(const QString& name, const QString& question)

@@ -103,6 +103,8 @@ class LawBox:
                 if before == "zeroing" and follower.law.phase == "tagging":
                     rospy.ServiceProxy("tare", Trigger)()  # so that the rig's WOB has the zero that the law has
             except Exception as error:  # pylint: disable=broad-except
+                if self.follower is not follower:  # stopped meanwhile, and perhaps another has begun
+                    return
                 self.problem = "the %s has failed: %s: %s" % ("connection" if self.connects else "autodriller", type(error).__name__, error)
                 self.stop()
 
