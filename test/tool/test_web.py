@@ -17,7 +17,7 @@ from drill_rig_sim.units import SHOWN
 from drill_rig_sim.web import fields, shapes
 from drill_rig_sim.web.alarms import Alarms
 from drill_rig_sim.web.bins import Bins
-from drill_rig_sim.web.broomstick import points, scene_at
+from drill_rig_sim.web.broomstick import points, scene_at, ways_of
 from drill_rig_sim.web.feed import Feed
 from drill_rig_sim.web.news import News
 from drill_rig_sim.web.node_source import NodeSource
@@ -294,6 +294,22 @@ class Stick(unittest.TestCase):
         self.assertGreater(loads[1.5, "up", deep], loads[1.0, "up", deep])
         self.assertGreater(loads[1.0, "up", deep], loads[1.0, "up", round(0.55 * 599.0)])
         self.assertNotIn(None, loads.values())
+
+    def test_the_curves_have_the_drag_of_the_mud_as_the_measured_weights_have(self):
+        weights = [{"motion": "up", "speed": speed, "rotation": 0.001, "flow": 0.0} for speed in (0.3, 0.4, 0.9)]
+        weights += [{"motion": "rotate", "speed": 1e-4, "rotation": 6.0, "flow": 0.03}]
+        ways = ways_of(weights)
+        self.assertEqual({"up": {"speed": 0.4, "rotation": 0.0, "flow": 0.0}, "rotate": {"speed": 0.0, "rotation": 6.0, "flow": 0.03}}, ways)
+        try:
+            from drill_rig_sim.sim import static  # noqa: F401  pylint: disable=unused-import
+        except ImportError:
+            self.skipTest("the Python module sim is not built")
+        scene = {**self.scene, "mud": {"viscosity": 0.1}}
+        still, moved = ({one["motion"]: one["load"] for one in points(scene, 600.0, known) if one["factor"] == 1.0 and one["depth"] == 599.0}
+                        for known in ({}, ways))
+        self.assertGreater(moved["up"], still["up"] + 2e3)
+        self.assertEqual(still["down"], moved["down"])  # not measured
+        self.assertLess(moved["rotate"], still["rotate"])  # the pump lifts
 
 
 class Hands:

@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The broomstick chart: hook load over the depth of the bit, picked up, slacked off and rotating, for several frictions; worked out as `drill static`
 does, in a process of its own at low priority. Run as a module, it is that process: a scene's text by standard input, a JSON line for each point by
-standard output."""
+standard output. Where the run has shown weights, the string moves through the mud as it did then."""
 import asyncio
 import json
 import os
 import re
+import statistics
 import sys
 import tempfile
 
@@ -46,8 +47,19 @@ def cases(scene, depth):
             for motion in (("up", "down", "rotate") if factor == 1.0 else ("up", "down"))]
 
 
-def points(scene, depth):
-    """Dicts of factor, motion, depth [m] and load, as the gauge shows it [N]; load is None and `why` says it where there is no equilibrium."""
+def ways_of(weights):
+    """How the string was moved in the weights of a run, by motion: medians of speed [m/s], rotation [rad/s] and flow [m3/s]. A motion that the run has
+    not shown is left out."""
+    ways = {}
+    for motion in sorted({weight["motion"] for weight in weights}):
+        own = {name: statistics.median(weight[name] for weight in weights if weight["motion"] == motion) for name in ("speed", "rotation", "flow")}
+        ways[motion] = {**own, "speed": 0.0} if motion == "rotate" else {**own, "rotation": 0.0}
+    return ways
+
+
+def points(scene, depth, ways=()):
+    """Dicts of factor, motion, depth [m] and load, as the gauge shows it [N]; load is None and `why` says it where there is no equilibrium. `ways`: as
+    ways_of() has them; a motion without one has no drag of the mud."""
     from drill_rig_sim.lockstep import Refused
     from drill_rig_sim.sim import static
     with tempfile.TemporaryDirectory() as folder:
@@ -57,7 +69,8 @@ def points(scene, depth):
                 yaml.safe_dump(scene_at(scene, bit_depth, factor), out)
             point = {"factor": factor, "motion": motion, "depth": bit_depth}
             try:
-                yield {**point, "load": static(file, motion)["hook_load_gauge"]}
+                loads = static(file, **ways[motion]) if motion in ways else static(file, motion)
+                yield {**point, "load": loads["hook_load_gauge"]}
             except (Refused, ValueError) as refusal:
                 yield {**point, "load": None, "why": re.sub(r"^\S*broomstick.yaml:(\d+: )?", "", str(refusal).splitlines()[0])}
 
@@ -65,7 +78,7 @@ def points(scene, depth):
 def main():
     os.nice(10)
     order = json.load(sys.stdin)
-    for point in points(yaml.safe_load(order["scene"]), order["depth"]):
+    for point in points(yaml.safe_load(order["scene"]), order["depth"], order["ways"]):
         print(json.dumps(point), flush=True)
 
 
@@ -73,21 +86,22 @@ class Broomstick:
     """What a page is sent of it: `message`. One is worked out at a time."""
 
     def __init__(self):
-        self.message, self.revision, self._task = {"type": "broomstick", "points": [], "done": False, "running": False, "problem": ""}, 0, None
+        self.message = {"type": "broomstick", "points": [], "ways": {}, "done": False, "running": False, "problem": ""}
+        self.revision, self._task = 0, None
 
-    def begin(self, scene, depth):
-        """`scene`: text of a scene. Why it cannot be, or ""."""
+    def begin(self, scene, depth, ways):
+        """`scene`: text of a scene; `ways`: as points() has them. Why it cannot be, or ""."""
         if self.message["running"]:
             return "the broomstick is already being computed"
-        self.message = {**self.message, "points": [], "done": False, "running": True, "problem": "", "count": len(cases(yaml.safe_load(scene), depth))}
-        self._task = asyncio.ensure_future(self._work(scene, depth))
+        self.message = {**self.message, "points": [], "ways": ways, "done": False, "running": True, "problem": "", "count": len(cases(yaml.safe_load(scene), depth))}
+        self._task = asyncio.ensure_future(self._work({"scene": scene, "depth": depth, "ways": ways}))
         return ""
 
-    async def _work(self, scene, depth):
+    async def _work(self, order):
         child = await asyncio.create_subprocess_exec(sys.executable, "-m", "drill_rig_sim.web.broomstick", stdin=asyncio.subprocess.PIPE,
                                                      stdout=asyncio.subprocess.PIPE, stderr=asyncio.subprocess.PIPE)
         try:
-            child.stdin.write(json.dumps({"scene": scene, "depth": depth}).encode())
+            child.stdin.write(json.dumps(order).encode())
             child.stdin.close()
             async for line in child.stdout:
                 self.message["points"].append(json.loads(line))

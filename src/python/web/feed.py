@@ -4,7 +4,7 @@ import time
 
 from drill_rig_sim.units import SHOWN, SYSTEMS
 from drill_rig_sim.web import shapes
-from drill_rig_sim.web.broomstick import Broomstick
+from drill_rig_sim.web.broomstick import Broomstick, ways_of
 from drill_rig_sim.web.fields import DEPTH_TRACKS, FIELDS, NUMBERS, TRACKS
 from drill_rig_sim.web.law_points import LAW_POINTS
 from drill_rig_sim.web.news import TRUTH_KIND
@@ -100,7 +100,7 @@ class Feed:
         """Begins the broomstick chart; why it cannot be, or ""."""
         if not self.scene_text or self.log.last is None:
             return "the broomstick needs the topic scene and a rig_state"
-        return self.broomstick.begin(self.scene_text, float(self.log.last["hole_depth"]))
+        return self.broomstick.begin(self.scene_text, float(self.log.last["hole_depth"]), ways_of(self.log.weights.find()))
 
     def state(self, last):
         """`last`: the latest RigState, or None where none is new."""

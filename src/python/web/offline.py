@@ -6,7 +6,7 @@ import re
 
 import yaml
 from drill_rig_sim.score_runs import RunError
-from drill_rig_sim.web.broomstick import points
+from drill_rig_sim.web.broomstick import points, ways_of
 from drill_rig_sim.web.chart_library import chart_library
 from drill_rig_sim.web.feed import Feed
 
@@ -54,7 +54,7 @@ def page_of(source, units, scene=None):
     if tree:
         feed.log.bit_diameter = tree["string"][0]["diameter"]
     state = feed.take()[-1]
-    theory = [broomstick_of(tree, float(feed.log.last["hole_depth"]))] if tree else []
+    theory = [broomstick_of(tree, float(feed.log.last["hole_depth"]), ways_of(feed.log.weights.find()))] if tree else []
     return html_of([*feed.whole(), *theory, state])
 
 
@@ -71,10 +71,10 @@ def tree_of(file):
         raise RunError(str(problem).splitlines()[0]) from None
 
 
-def broomstick_of(scene, depth):
+def broomstick_of(scene, depth, ways):
     """The message of the broomstick chart that is computed."""
-    computed = list(points(scene, depth))
-    return {"type": "broomstick", "points": computed, "count": len(computed), "done": True, "running": False, "problem": ""}
+    computed = list(points(scene, depth, ways))
+    return {"type": "broomstick", "points": computed, "ways": ways, "count": len(computed), "done": True, "running": False, "problem": ""}
 
 
 def html_of(messages):

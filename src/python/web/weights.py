@@ -40,7 +40,7 @@ class Weights:
         self.log.add(times, columns)
 
     def find(self):
-        """Dicts of motion (up, down, rotate), time [s], depth [m] and load [N], in their order; [] where a run shows none."""
+        """Dicts as weight_of() has them, in their order; [] where a run shows none."""
         if self.log.first is None or len(self.log.low) < LEAST_ROWS:
             return self.settled
         record = LogRecord(self.log)
@@ -61,4 +61,6 @@ class Weights:
 
 
 def weight_of(move, begin):
-    return {"motion": MOTIONS[move.motion], "time": begin, "depth": move.depth, "load": move.load}
+    """motion (up, down, rotate), time [s], depth [m], load [N], speed of the block, + up [m/s], rotation [rad/s], flow of the pump [m3/s]."""
+    return {"motion": MOTIONS[move.motion], "time": begin, "depth": move.depth, "load": move.load, "speed": move.speed,
+            "rotation": move.rotation or 0.0, "flow": move.flow if move.pumped else 0.0}

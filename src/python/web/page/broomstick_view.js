@@ -4,7 +4,7 @@ import { axisOf, curveOf, dropChart, makeChart } from "./chart_base.js";
 import { byId, make, setText } from "./dom.js";
 import { send } from "./link.js";
 import { store } from "./store.js";
-import { shownValue, unitOf } from "./units.js";
+import { shownText, shownValue, unitOf } from "./units.js";
 
 const MOTIONS = [["up", 2, "triangle", 0], ["rotate", 3, "circle", 0], ["down", 1, "triangle", 180]];  // motion, style, sign and its rotation
 let chart = null;
@@ -52,5 +52,11 @@ function statusText(theory, measured) {
   const failed = theory.points.filter((one) => one.load === null);
   const state = theory.problem || (theory.running ? `${theory.points.length} of ${theory.count} points` : theory.points.length ? "" : "Not computed yet.");
   return [state, failed.length ? `${failed.length} points could not be computed: ${failed[0].why}.` : "", `${measured.length} measured weights (▲ ● ▼).`,
-    theory.points.length ? keys : ""].join(" ");
+    theory.points.length ? keys + wayText(theory.ways) : ""].join(" ");
+}
+
+/// With what drag of the mud the curves are computed.
+function wayText(ways) {
+  const speeds = ["up", "down"].filter((motion) => ways[motion]).map((motion) => `${shownText("speed", Math.abs(ways[motion].speed))} ${unitOf("speed").name} ${motion}`);
+  return speeds.length ? ` With the drag of the mud at ${speeds.join(" and ")}, as in the measured weights.` : " Without drag of the mud: no pick-up or slack-off weight was measured.";
 }
