@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/ros/node_main.h"
 
-#include <ros/ros.h>
-
 #include <iostream>
 
 #include "drill_rig_sim/ros/own_time.h"
@@ -13,7 +11,7 @@ namespace drill_rig_sim
 {
 int node_main(int argc, char** argv)
 {
-  ros::init(argc, argv, "rig_simulator", ros::init_options::NoSigintHandler);
+  init_roscpp(argc, argv, "rig_simulator");
   end_on_signals();
   start_roscpp();
   try

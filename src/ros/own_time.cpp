@@ -2,8 +2,10 @@
 #include "drill_rig_sim/ros/own_time.h"
 
 #include <ros/ros.h>
+#include <unistd.h>
 
 #include <string>
+#include <vector>
 
 namespace drill_rig_sim
 {
@@ -11,28 +13,42 @@ namespace
 {
 const std::string sim_time = "/use_sim_time";
 
-bool publishes_simulated_time()
+/// What roscpp finds as /use_sim_time: a parameter that no other process has, set only while roscpp starts.
+const std::string& own_sim_time()
 {
-  bool simulated = false, publishes = true;
-  ros::param::get(sim_time, simulated);
-  ros::param::get("~publish_clock", publishes);
-  return simulated && publishes;
+  static const std::string name =
+      "/drill_rig_sim_start/process_" + std::to_string(getpid()) + "_" + std::to_string(ros::WallTime::now().toNSec());
+  return name;
 }
 }  // namespace
 
+void init_roscpp(int argc, char** argv, const std::string& node_name)
+{
+  std::string remapping = sim_time + ":=" + own_sim_time();
+  std::vector<char*> words(argv, argv + argc);
+  words.push_back(&remapping.front());
+  int count = static_cast<int>(words.size());
+  ros::init(count, words.data(), node_name, ros::init_options::NoSigintHandler);
+}
+
 void start_roscpp()
 {
-  if (!publishes_simulated_time())
-  {
-    ros::start();
-    return;
-  }
-  // roscpp has no option for it: while it starts, it finds the parameter under a name at which there is nothing
-  auto& remappings = const_cast<ros::M_string&>(ros::names::getRemappings());
-  remappings[sim_time] = ros::this_node::getName() + "/no_subscription_to_own_clock";
+  bool publishes = true;
+  ros::param::get("~publish_clock", publishes);
+  const bool simulated = simulated_time(), listens = simulated && !publishes;
+  if (listens) ros::param::set(own_sim_time(), true);
   ros::start();
-  remappings.erase(sim_time);
-  ros::Time::setNow(ros::Time());  // until the first frame
+  if (listens) ros::param::del(own_sim_time());
+  if (simulated && publishes) ros::Time::setNow(ros::Time());  // until the first frame
+}
+
+bool simulated_time()
+{
+  XmlRpc::XmlRpcValue request, response, value;  // ros::param would remap the name
+  request[0] = ros::this_node::getName();
+  request[1] = sim_time;
+  return ros::master::execute("getParam", request, response, value, false) &&
+         value.getType() == XmlRpc::XmlRpcValue::TypeBoolean && static_cast<bool>(value);
 }
 
 }  // namespace drill_rig_sim

@@ -12,6 +12,8 @@
 #include <sstream>
 #include <vector>
 
+#include "drill_rig_sim/ros/own_time.h"
+
 namespace drill_rig_sim
 {
 namespace
@@ -217,7 +219,7 @@ Parameters read_parameters(const ros::NodeHandle& node)
   p.seed = static_cast<std::uint64_t>(seed);
   if (p.step_on_commands != 0 && p.clock != ClockMode::lockstep)
     throw ParameterError("parameter ~step_on_commands: allowed only with ~clock lockstep");
-  ros::param::get("/use_sim_time", p.use_sim_time);
+  p.use_sim_time = simulated_time();
   if (!p.publish_clock && p.clock != ClockMode::realtime)
     throw ParameterError("parameter ~clock must be realtime where ~publish_clock is false: another node publishes /clock");
   try

@@ -86,7 +86,7 @@ void PublishingThread::publish(const FrameOutput& s)
   trajectory_.publish(s);
   if (clock_ && s.new_stamp)
   {
-    clock_->post(
+    clock_->publish(
         [&]
         {
           rosgraph_msgs::Clock clock;
@@ -94,7 +94,6 @@ void PublishingThread::publish(const FrameOutput& s)
           return clock;
         });
   }
-  send_posted();
   if (next_frame_) tell_leader(s.frame);
 }
 

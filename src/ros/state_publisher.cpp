@@ -42,32 +42,32 @@ void StatePublisher::publish(const FrameOutput& s)
   if (s.restored) news_.skip(s.frame.readings);  // what had arrived before the state was saved does not arrive now
   if (s.state_due || s.state_again)
   {
-    rig_state_.post([&] { return to_rig_state(s.frame.readings, s.frame, floor_); });
-    rig_truth_.post([&] { return to_rig_truth(s.frame.truth, s.frame, floor_); });
+    rig_state_.publish([&] { return to_rig_state(s.frame.readings, s.frame, floor_); });
+    rig_truth_.publish([&] { return to_rig_truth(s.frame.truth, s.frame, floor_); });
   }
   if (s.state_due)
   {
     publish_rig(s);
     publish_bit(s);
   }
-  if (s.accuracy_due) accuracy_.post([&] { return to_accuracy(s.frame, floor_); });
+  if (s.accuracy_due) accuracy_.publish([&] { return to_accuracy(s.frame, floor_); });
   if (s.new_stamp) news_.tell(s.frame, floor_, [this](const char*, const auto& message) { send(message); });
   if (s.profile_due) drillstring_.publish([&](DrillstringState& m) { fill_drillstring_state(s, floor_, m); });
 }
 
 void StatePublisher::publish_rig(const FrameOutput& s)
 {
-  hook_load_.post([&] { return to_number(s.frame.readings.hook_load); });
-  torque_.post([&] { return to_number(s.frame.readings.torque); });
-  joint_states_.post([&] { return to_joint_states(s.frame); });
+  hook_load_.publish([&] { return to_number(s.frame.readings.hook_load); });
+  torque_.publish([&] { return to_number(s.frame.readings.torque); });
+  joint_states_.publish([&] { return to_joint_states(s.frame); });
 }
 
 void StatePublisher::publish_bit(const FrameOutput& s)
 {
-  bit_pose_.post([&] { return to_bit_pose(s.frame, floor_); });
-  bit_twist_.post([&] { return to_bit_twist(s.frame, floor_); });
-  bit_wrench_.post([&] { return to_bit_wrench(s.frame, floor_); });
-  true_bit_.post([&] { return to_bit_truth(s.frame, floor_); });
+  bit_pose_.publish([&] { return to_bit_pose(s.frame, floor_); });
+  bit_twist_.publish([&] { return to_bit_twist(s.frame, floor_); });
+  bit_wrench_.publish([&] { return to_bit_wrench(s.frame, floor_); });
+  true_bit_.publish([&] { return to_bit_truth(s.frame, floor_); });
 }
 
 }  // namespace drill_rig_sim

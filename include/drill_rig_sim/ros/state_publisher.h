@@ -33,7 +33,6 @@ public:
   /// `ask_for_picture` is called for the first subscriber of the string's profile.
   StatePublisher(ros::NodeHandle& node, const Parameters& parameters, Subscriptions& subscriptions,
                  std::function<void()> ask_for_picture);
-  /// What comes with every frame is posted: send_posted() sends it.
   void publish(const FrameOutput& s);
 
 private:
