@@ -146,7 +146,7 @@ Verification::Verdict Verification::verdict(Output output) const
   if (wrong && warned_from_ <= found.wrong_from + difference_window) return Verdict::warned;
   if (is_right_in_statistics(found, tolerance_)) return Verdict::right;
   if (!found.known) return Verdict::unknown;
-  return wrong ? Verdict::silent : Verdict::right;
+  return wrong ? Verdict::missed : Verdict::right;
 }
 
 Verification::Verdict Verification::verdict() const

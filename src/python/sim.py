@@ -156,7 +156,7 @@ class Simulator(Lockstep):
         self._rig.verify(times)
 
     def verified(self):
-        """How far the run is off by these so far, a dictionary as `drill verify --json` writes it: `verdict` (right, warned, unknown, or silent: wrong without a warning)
+        """How far the run is off by these so far, a dictionary as `drill verify --json` writes it: `verdict` (right, warned, unknown, or missed: wrong without a warning)
         and `outputs`, by the names of drill run's columns; errors as shares of an output's range."""
         return self._rig.verified()
 

@@ -56,7 +56,7 @@ void FinerPair::add(const Simulator& simulator, double duration)
 
 const char* word_of(Verification::Verdict verdict) noexcept
 {
-  constexpr const char* words[] = {"right", "warned", "silent", "unknown"};
+  constexpr const char* words[] = {"right", "warned", "missed", "unknown"};
   return words[static_cast<std::size_t>(verdict)];
 }
 

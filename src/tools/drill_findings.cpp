@@ -104,7 +104,7 @@ void print_verdict(const Verification& verification, double tolerance, const std
       std::printf("wrong, and warned of: %s is off by more than %g %% from %.0f s on, a warning came at %.0f s\n",
                   output_traits[i].name, 100.0 * tolerance, found.wrong_from, verification.warned_from());
       break;
-    case Verification::Verdict::silent:
+    case Verification::Verdict::missed:
       std::printf("wrong without a warning: %s is off by more than %g %% from %.0f s on%s\n", output_traits[i].name,
                   100.0 * tolerance, found.wrong_from,
                   not_measured.empty() ? "" : ("; its error was not measured: " + not_measured).c_str());

@@ -145,7 +145,7 @@ void verify(const VerifyOptions& options)
   if (beside.scores) found["scores"] = nlohmann::ordered_json::parse(beside.scores->compare(options.judged_by, options.units));
   if (json) std::fputs((found.dump(2) + "\n").c_str(), json.get());
   close_output(std::move(json), options.run.json);
-  if (beside.pair.findings().verdict() == Verification::Verdict::silent) throw ToleranceExceeded();
+  if (beside.pair.findings().verdict() == Verification::Verdict::missed) throw ToleranceExceeded();
 }
 }  // namespace
 

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""How a foreign scene is judged: right, warned in time, silent, undecided."""
+"""How a foreign scene is judged: right, warned in time, missed, undecided."""
 import csv
 import json
 import os
@@ -53,22 +53,22 @@ class Judging(unittest.TestCase):
         self.assertEqual((verdict.kind, verdict.output), ('right', 'torque'))
         self.assertAlmostEqual(verdict.worst, 0.019, delta=1e-4)
 
-    def test_silent_beyond_unless_warned_in_time(self):
+    def test_missed_beyond_unless_warned_in_time(self):
         ours, coarse = self.after(12.0, 21.0), self.after(0.0, 1.0)
-        silent = self.verdict(ours, coarse)
-        self.assertEqual((silent.kind, silent.wrong_from), ('silent', 12.0))
+        missed = self.verdict(ours, coarse)
+        self.assertEqual((missed.kind, missed.wrong_from), ('missed', 12.0))
         self.assertEqual(self.verdict(ours, coarse, warned=14.9).kind, 'warned')
-        self.assertEqual(self.verdict(ours, coarse, warned=15.1).kind, 'silent')
+        self.assertEqual(self.verdict(ours, coarse, warned=15.1).kind, 'missed')
 
     def test_by_another_tolerance(self):
         ours, coarse = self.after(12.0, 21.0), self.after(0.0, 1.0)
         self.assertEqual(self.verdict(ours, coarse, tolerance=0.05).kind, 'right')
         self.assertEqual(self.verdict(ours, self.after(12.0, 21.0), tolerance=0.01).kind, 'undecided')
-        self.assertEqual(self.verdict(ours, coarse, tolerance=0.01).kind, 'silent')
+        self.assertEqual(self.verdict(ours, coarse, tolerance=0.01).kind, 'missed')
 
     def test_undecided_where_the_references_differ(self):
         self.assertEqual(self.verdict(self.after(12.0, 21.0), self.after(12.0, 21.0)).kind, 'undecided')
-        self.assertEqual(self.verdict(self.after(12.0, 21.0), self.after(18.0, 21.0)).kind, 'silent')
+        self.assertEqual(self.verdict(self.after(12.0, 21.0), self.after(18.0, 21.0)).kind, 'missed')
 
 
 if __name__ == '__main__':

@@ -106,25 +106,25 @@ class Verdicts(unittest.TestCase):
     def test_right(self):
         self.assertEqual(judged(series()).kind, 'right')
 
-    def test_wrong_without_a_word_is_silent(self):
+    def test_wrong_without_a_warning_is_missed(self):
         verdict = judged(self.wrong)
-        self.assertEqual((verdict.kind, verdict.by), ('silent', 'hook_load'))
+        self.assertEqual((verdict.kind, verdict.by), ('missed', 'hook_load'))
 
     def test_warned_before_it_went_wrong(self):
         self.assertEqual(judged(self.wrong, warnings=[{'since': 4.0, 'text': 'shorter elements'}]).kind, 'warned')
         self.assertEqual(judged(self.wrong, warnings=[{'since': 4.0, 'text': 'shorter elements'}]).note, 'shorter elements')
 
     def test_a_warning_that_comes_too_late_is_none(self):
-        self.assertEqual(judged(self.wrong, warnings=[{'since': 9.0, 'text': 'shorter elements'}]).kind, 'silent')
+        self.assertEqual(judged(self.wrong, warnings=[{'since': 9.0, 'text': 'shorter elements'}]).kind, 'missed')
 
     def test_a_reference_that_does_not_know_decides_nothing(self):
         self.assertEqual(judged(series(), own={'torque': 0.5}).kind, 'undecided')
         self.assertEqual(judged(self.wrong, own={'hook_load': 10.0}).kind, 'undecided')
-        self.assertEqual(judged(self.wrong, own={'torque': 10.0}).kind, 'silent')
+        self.assertEqual(judged(self.wrong, own={'torque': 10.0}).kind, 'missed')
 
-    def test_a_run_that_fails_is_silent_and_says_why(self):
+    def test_a_run_that_fails_is_missed_and_says_why(self):
         verdict = matrix.judge(FakeCell(), matrix.Run(None, {}, 'no solution'), matrix.Reference(series(), {'torque': 0.0}, '', ''))
-        self.assertEqual((verdict.kind, verdict.note), ('silent', 'no solution'))
+        self.assertEqual((verdict.kind, verdict.note), ('missed', 'no solution'))
 
 
 class Automatic(unittest.TestCase):
@@ -133,14 +133,14 @@ class Automatic(unittest.TestCase):
                                                                              'accuracy_warnings': []})  # 2 % of a tenth of the level
         reference = matrix.Reference(series(), dict.fromkeys(list(matrix.FLOORS) + ['period', 'inclination'], 0.1), '', '')
         told = [matrix.judge(FakeCell(), off, reference, tolerance) for tolerance in (0.05, 0.015, 0.002)]
-        self.assertEqual([verdict.kind for verdict in told], ['right', 'silent', 'silent'])
+        self.assertEqual([verdict.kind for verdict in told], ['right', 'missed', 'missed'])
 
     def test_the_first_setting_that_is_right_is_the_cheapest_by_hand(self):
         asked = []
 
         def judged_at(numerics, tolerances):
             asked.append((numerics, tolerances))
-            told = [matrix.Verdict(FakeCell(), 'right' if numerics <= tolerance else 'silent') for tolerance in tolerances]
+            told = [matrix.Verdict(FakeCell(), 'right' if numerics <= tolerance else 'missed') for tolerance in tolerances]
             for out in told:
                 out.cost = 1.0 / numerics
             return told
@@ -201,12 +201,12 @@ class Energy(unittest.TestCase):
         self.assertTrue(report.holds(verdicts(right=17, warned=3, undecided=5), whole=True))
         self.assertFalse(report.holds(verdicts(right=16, warned=4), whole=True))
         self.assertFalse(report.holds(verdicts(right=17, undecided=5), whole=True))
-        self.assertFalse(report.holds(verdicts(right=99, silent=1), whole=True))
+        self.assertFalse(report.holds(verdicts(right=99, missed=1), whole=True))
 
     def test_the_right_ones_under_a_warning_are_counted(self):
         told = [matrix.Verdict(FakeCell(), kind, note) for kind, note in (('right', ''), ('right', 'torque'), ('warned', 'torque'))]
         told[1].window = 1.5
-        self.assertEqual(report.summary_line(told), '3 cells: 2 right, 1 warned, 0 silent, 0 undecided; of the right ones under a warning: 1, of which 1 are beyond the '
+        self.assertEqual(report.summary_line(told), '3 cells: 2 right, 1 warned, 0 missed, 0 undecided; of the right ones under a warning: 1, of which 1 are beyond the '
                          'bound for three seconds')
 
     def test_by_operation_the_farthest_of_the_decided_stands(self):

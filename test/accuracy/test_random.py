@@ -46,12 +46,12 @@ class Scenes(unittest.TestCase):
 
 class Trials(unittest.TestCase):
     def test_are_counted_with_warnings_and_ratios(self):
-        trials = [Found('right'), Found('right', warned_from=3.0, speed=25.0), Found('silent', off=[0.01, 0.03, 0.001], measured=[0.01, 0.015, 0.2])]
+        trials = [Found('right'), Found('right', warned_from=3.0, speed=25.0), Found('missed', off=[0.01, 0.03, 0.001], measured=[0.01, 0.015, 0.2])]
         told = random_trial.summary(trials, 0.02)
-        self.assertEqual(told[0], '3 scenes: 2 right, 1 silent; of the right ones under a warning: 1.')
+        self.assertEqual(told[0], '3 scenes: 2 right, 1 missed; of the right ones under a warning: 1.')
         self.assertEqual(told[1], 'Simulated over processor time, geometric mean: 63.')
         self.assertEqual(told[2], 'Measured over true error, 2 windows: 5 % below 0.50, half below 1.00, 5 % above 1.00.')
-        self.assertIn('| silent | 3.0 | torque | - | 100 |', trials[2].row())
+        self.assertIn('| missed | 3.0 | torque | - | 100 |', trials[2].row())
 
 
 class Played(examples.Example):

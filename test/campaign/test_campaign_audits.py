@@ -177,7 +177,7 @@ class Page(unittest.TestCase):
         self.assertIn("not done yet", report_audits.intro(self.page(audit=0.1)))
 
     def test_outputs_are_counted_by_verdict_with_the_worst_run(self):
-        page = self.page(("right", {"torque": self.FINDING}), ("silent", {"torque": {**self.FINDING, "verdict": "silent", "worst": 0.05}}))
+        page = self.page(("right", {"torque": self.FINDING}), ("missed", {"torque": {**self.FINDING, "verdict": "missed", "worst": 0.05}}))
         self.assertEqual([[2, 1, 0, 1, 0, "2.7 %", "5 %", 1, "torque"]], report_audits.table_by_output(page)[1])
         self.assertEqual(["wrong without a warning", "torque", "5 %", "6 s"], report_audits.table_of_runs(page)[1][1][1:5])
         self.assertEqual(1, len(report_audits.histograms(page).axes))
@@ -192,7 +192,7 @@ class Page(unittest.TestCase):
 
     def test_a_campaigns_end_tells_its_verdicts(self):
         out = io.StringIO()
-        results = mock.Mock(rows=lambda: iter([]), audits=lambda: iter([{"status": "silent"}, {"status": "right"}]))
+        results = mock.Mock(rows=lambda: iter([]), audits=lambda: iter([{"status": "missed"}, {"status": "right"}]))
         with contextlib.redirect_stdout(out):
             command.told(results, 0)
         self.assertTrue(out.getvalue().endswith("2 runs were audited: 1 right, 1 wrong without a warning\n"), out.getvalue())

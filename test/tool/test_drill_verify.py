@@ -25,7 +25,7 @@ class Verify(test_drill.Drill):
         self.assertIn(done.returncode, (0, 1), done.stderr)
         with open(self.file('v.json'), encoding='utf-8') as text:
             found = json.load(text)
-        self.assertEqual(done.returncode == 1, found['verdict'] == 'silent')
+        self.assertEqual(done.returncode == 1, found['verdict'] == 'missed')
         return done.stdout, found
 
     def numbers(self, found):
@@ -41,7 +41,7 @@ class Verify(test_drill.Drill):
         for one in found['outputs'].values():
             self.assertEqual(3, len(one['off']))
             self.assertEqual(one['worst'], max(one['off']))
-            self.assertIn(one['verdict'], ('right', 'warned', 'silent', 'unknown'))
+            self.assertIn(one['verdict'], ('right', 'warned', 'missed', 'unknown'))
 
     def test_a_wrong_run_that_measures_no_error_is_reported_with_the_reason(self):
         out, found = self.verified(QUICK, '--set', 'numerics.level=beam3d', '--set', 'numerics.step=0.01', '--duration', '6')

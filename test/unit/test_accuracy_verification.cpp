@@ -71,9 +71,9 @@ TEST(Verification, aRunLikeTheFinestIsRight)
 
 TEST(Verification, tellsFromWhenARunIsWrongAndWhetherItWarned)
 {
-  const Verification silent = verified(from_21_s, nothing);
-  EXPECT_EQ(silent.verdict(), Verification::Verdict::silent);
-  const Verification::Finding found = silent.finding(Output::hook_load);
+  const Verification missed = verified(from_21_s, nothing);
+  EXPECT_EQ(missed.verdict(), Verification::Verdict::missed);
+  const Verification::Finding found = missed.finding(Output::hook_load);
   EXPECT_NEAR(found.wrong_from, 21.0, 0.02);
   EXPECT_NEAR(found.worst, 0.05, 1e-3);
   ASSERT_EQ(found.off.size(), 20u);
@@ -81,7 +81,7 @@ TEST(Verification, tellsFromWhenARunIsWrongAndWhetherItWarned)
   EXPECT_EQ(found.measured[10], 1250.0);
   EXPECT_NEAR(found.mean - found.finest_mean, 5e3 * 39.0 / 60.0, 10.0);
   EXPECT_EQ(verified(from_21_s, nothing, 23.5).verdict(), Verification::Verdict::warned);
-  EXPECT_EQ(verified(from_21_s, nothing, 30.0).verdict(), Verification::Verdict::silent) << "too late";
+  EXPECT_EQ(verified(from_21_s, nothing, 30.0).verdict(), Verification::Verdict::missed) << "too late";
 }
 
 TEST(Verification, finerRunsThatDisagreeTellNothing)
@@ -122,25 +122,25 @@ TEST(Verification, aVibrationThatGetsOutOfPhaseIsJudgedByItsStatistics)
   EXPECT_NEAR(found.parted_from, 36.0, 3.0);
   EXPECT_NEAR(found.statistics.period, 1e-3, frame / 24.0) << "rises are known to a frame, 24 s from the first to the last";
   EXPECT_LT(found.statistics.mean, 0.01);
-  EXPECT_EQ(of_stick_slip(1e-3, nothing, 60.0).verdict(), Verification::Verdict::silent) << "no whole window since";
+  EXPECT_EQ(of_stick_slip(1e-3, nothing, 60.0).verdict(), Verification::Verdict::missed) << "no whole window since";
 }
 
 TEST(Verification, aVibrationWithAnotherPeriodMeanOrAmplitudeIsWrong)
 {
-  EXPECT_EQ(of_stick_slip(0.03, nothing).verdict(), Verification::Verdict::silent);
-  EXPECT_EQ(of_stick_slip(1e-3, [](double t) { return t > 40.0 ? 120.0 : 0.0; }).verdict(), Verification::Verdict::silent);
+  EXPECT_EQ(of_stick_slip(0.03, nothing).verdict(), Verification::Verdict::missed);
+  EXPECT_EQ(of_stick_slip(1e-3, [](double t) { return t > 40.0 ? 120.0 : 0.0; }).verdict(), Verification::Verdict::missed);
   EXPECT_EQ(of_stick_slip(1e-3, [](double t) { return 200.0 * std::sin(2.0 * M_PI * t / 4.0); }).verdict(),
-            Verification::Verdict::silent);
+            Verification::Verdict::missed);
 }
 
 TEST(Verification, anErrorThatPassesOrDoesNotVibrateIsJudgedByItsInstants)
 {
   const Verification passes = of_stick_slip(0.0, [](double t) { return t > 40.0 && t < 43.0 ? 300.0 : 0.0; });
-  EXPECT_EQ(passes.verdict(), Verification::Verdict::silent);
+  EXPECT_EQ(passes.verdict(), Verification::Verdict::missed);
   EXPECT_TRUE(std::isnan(passes.finding(Output::torque).parted_from));
   Verification still(0.02, need_torque);
   for (int k = 1; k <= 10000; ++k) still.add({0.0, 5e3 + 0.1 * k}, {0.0, 5e3}, {0.0, 5e3}, false, {}, k * frame, frame);
-  EXPECT_EQ(still.verdict(), Verification::Verdict::silent);
+  EXPECT_EQ(still.verdict(), Verification::Verdict::missed);
   EXPECT_TRUE(std::isnan(still.finding(Output::torque).parted_from));
 }
 

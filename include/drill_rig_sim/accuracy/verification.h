@@ -51,7 +51,7 @@ public:
   {
     right,   ///< no window of an output that is needed is beyond the tolerance, or no statistics where these are judged
     warned,  ///< some are, and a warning had begun by the end of the first of them
-    silent,  ///< some are, and none had
+    missed,  ///< some are, and none had
     unknown  ///< the own error of the finest run is too large for a verdict
   };
 

@@ -34,7 +34,7 @@ private:
   Verification findings_;
 };
 
-/// right, warned, silent or unknown, as JSON and Python have it.
+/// right, warned, missed or unknown, as JSON and Python have it.
 const char* word_of(Verification::Verdict verdict) noexcept;
 
 /// Names and values of what was found of an output, as JSON and Python have them: v(name, value).

@@ -10,7 +10,7 @@ SMALL = 20         # campaigns with fewer runs have no audits unless their plan 
 EXTREMES = 6       # most runs that are audited because a result of theirs is the largest or the least
 OF_RUNS = 10       # and no more than one in this number of runs, at least two
 DRAWN = "drawn"
-VERDICTS = {"right": "right", "warned": "wrong, and warned of", "silent": "wrong without a warning", "unknown": "not known"}
+VERDICTS = {"right": "right", "warned": "wrong, and warned of", "missed": "wrong without a warning", "unknown": "not known"}
 
 
 def chosen(rows, about):

@@ -8,7 +8,7 @@ resolves, whichever is most. The reference's own error is taken to be a third of
 
 - right: no three seconds are further off than the tolerance, 2 %
 - warned: some are, and a warning had begun by the end of the first of them
-- silent: some are, and none had
+- missed: some are, and none had
 - undecided: the reference does not know itself to a third of that there
 """
 import concurrent.futures
@@ -87,7 +87,7 @@ class Verdict:
             return 'warned'
         first = int(self.wrong_from / WINDOW)
         unknown = any(known[output][first] > self.tolerance / 3.0 for output, e in errors.items() if e[first] > self.tolerance)
-        return 'undecided' if unknown else 'silent'
+        return 'undecided' if unknown else 'missed'
 
     def row(self):
         def at(time):
@@ -109,7 +109,7 @@ def run(args, folder):
     if problems:
         return 3, []
     verdicts = [Verdict(scene, folder, args.tolerance) for scene in scenes]
-    counts = ', '.join('%d %s' % (sum(v.kind == kind for v in verdicts), kind) for kind in ('right', 'warned', 'silent', 'undecided'))
+    counts = ', '.join('%d %s' % (sum(v.kind == kind for v in verdicts), kind) for kind in ('right', 'warned', 'missed', 'undecided'))
     lines = ['| scene | verdict | worst 3 s [%% of scale] | of | off by %g %% from [s] | warned from [s] |' % (100.0 * args.tolerance)]
     lines += ['| --- | --- | --- | --- | --- | --- |']
     under_a_warning = sum(v.kind == 'right' and v.warned_from is not None for v in verdicts)
@@ -118,4 +118,4 @@ def run(args, folder):
     table = 'foreign.md' if args.tolerance == 0.02 else 'foreign_%g.md' % args.tolerance
     with open(os.path.join(args.out, table), 'w') as out:
         out.write('\n'.join(lines) + '\n')
-    return (1 if any(v.kind == 'silent' for v in verdicts) else 0), [table]
+    return (1 if any(v.kind == 'missed' for v in verdicts) else 0), [table]

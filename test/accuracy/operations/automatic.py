@@ -56,7 +56,7 @@ class Row:
     def __init__(self, tolerance, verdicts, fixed):
         self.tolerance = tolerance
         self.counted = verdicts
-        self.kinds = {kind: sum(v.kind == kind for v in self.counted) for kind in ('right', 'warned', 'silent')}
+        self.kinds = {kind: sum(v.kind == kind for v in self.counted) for kind in ('right', 'warned', 'missed')}
         self.cost = geometric_mean([v.cost / fixed[v.cell.name] for v in self.counted if v.cell.name in fixed])
         self.over_hand = []
 
@@ -76,7 +76,7 @@ class Row:
 
 
 def table(rows):
-    head = ['tolerance', 'cells known to a third of it', 'within', 'warned', 'silent', 'share within', 'cost', 'over the cheapest by hand', 'at most']
+    head = ['tolerance', 'cells known to a third of it', 'within', 'warned', 'missed', 'share within', 'cost', 'over the cheapest by hand', 'at most']
     return '\n'.join(['| %s |' % ' | '.join(head), '|%s' % (' --- |' * len(head))] + [row.line() for row in rows]) + '\n'
 
 

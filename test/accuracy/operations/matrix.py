@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Runs cells of the operations matrix, with the default numerics and with a reference's, and says how far they are apart.
 
-A run that is wrong is warned where its `accuracy_warnings` came before the error passed the bound, else silent.
+A run that is wrong is warned where its `accuracy_warnings` came before the error passed the bound, else missed.
 Error of an output: root mean square of the difference to the reference, over the largest of its range, a tenth of its level and what its
 instrument resolves; where a cell is irregular, of mean, deviation and extrema instead of the series, and of the hook load's period where the
 reference has one. Shares of the bound: 1 is 2 %.
@@ -252,7 +252,7 @@ def make_reference(drill, cell, folder, budget):
 
 
 class Verdict:
-    """`kind`: right, warned, silent or undecided. `worst`: of the run's errors, as a share of its bound, `by` which output; `own`: of the
+    """`kind`: right, warned, missed or undecided. `worst`: of the run's errors, as a share of its bound, `by` which output; `own`: of the
     reference's."""
 
     def __init__(self, cell, kind, note=''):
@@ -299,7 +299,7 @@ def shares_of_energy(accounts):
 def judge(cell, mine, reference, tolerance=BOUND):
     out = Verdict(cell, 'undecided')
     if mine.failure:
-        out.kind, out.note = 'silent', mine.failure
+        out.kind, out.note = 'missed', mine.failure
         return out
     shares = within(errors(mine.table, reference.table, cell.irregular()), tolerance)
     own = within(reference.own, tolerance)
@@ -313,7 +313,7 @@ def judge(cell, mine, reference, tolerance=BOUND):
     wrong = {name: share for name, share in shares.items() if share > 1.0 and own[name] <= KNOWN * max(1.0, share)}
     if wrong:
         out.worst, out.by = worst_of(wrong)
-        out.kind = 'warned' if warnings and right_until(warnings[0]['since'], cell, mine.table, reference, wrong, tolerance) else 'silent'
+        out.kind = 'warned' if warnings and right_until(warnings[0]['since'], cell, mine.table, reference, wrong, tolerance) else 'missed'
     elif out.own <= KNOWN:
         out.kind = 'right'
     return out

@@ -13,9 +13,9 @@ import cells  # noqa: E402
 import matrix  # noqa: E402
 
 REFERENCES = os.path.join(HERE, 'references')
-KINDS = ('right', 'warned', 'silent', 'undecided')
+KINDS = ('right', 'warned', 'missed', 'undecided')
 LEAST_RIGHT, MOST_UNDECIDED = 0.85, 0.20  # of the decided, of all
-COLOURS = {'right': '#2e8b57', 'warned': '#d9822b', 'silent': '#c0392b', 'undecided': '#9a9a9a'}
+COLOURS = {'right': '#2e8b57', 'warned': '#d9822b', 'missed': '#c0392b', 'undecided': '#9a9a9a'}
 # What the default, the first, is beside: free nodes by fixed steps; None: the mesh by the hole.
 VARIANTS = (matrix.Numerics(),) + tuple(matrix.Numerics(length, step, method, 'beam3d') for method, step, length in (
     ('bdf2', 0.01, None), ('bdf2', 0.01, 9.51), ('bdf2', 0.01, 4.755), ('bdf2', 0.005, None), ('trbdf2', 0.02, None), ('trbdf2', 0.01, None),
@@ -124,7 +124,7 @@ def summary_line(verdicts):
 
 def variants_table(results):
     """results: (numerics, verdicts); cost over the first's, of the cells that both ran."""
-    rows = ['| method | step | longest element | right | warned | silent | undecided | cost |', '| --- | --- | --- | --- | --- | --- | --- | --- |']
+    rows = ['| method | step | longest element | right | warned | missed | undecided | cost |', '| --- | --- | --- | --- | --- | --- | --- | --- |']
     first = {v.cell.name: v.cost for v in results[0][1] if v.cost == v.cost}
     for numerics, verdicts in results:
         told, both = counts(verdicts), [v for v in verdicts if v.cell.name in first and v.cost == v.cost]
@@ -137,15 +137,15 @@ def variants_table(results):
 
 def levels_table(results):
     """results: (numerics, verdicts); the first is the finest level. Near: of the decided those whose errors are all within 5 %."""
-    rows = ['| level | right | warned | silent | undecided | within 5 % | largest silent error | cost |', '| --- | --- | --- | --- | --- | --- | --- | --- |']
+    rows = ['| level | right | warned | missed | undecided | within 5 % | largest missed error | cost |', '| --- | --- | --- | --- | --- | --- | --- | --- |']
     dearest = {v.cell.name: v.cost for v in results[0][1]}
     for numerics, verdicts in results:
         told, decided = counts(verdicts), [v for v in verdicts if v.kind != 'undecided']
         near = sum(v.worst <= WIDER for v in decided)
-        silent = max((v.worst for v in decided if v.kind == 'silent'), default=0.0)
+        missed = max((v.worst for v in decided if v.kind == 'missed'), default=0.0)
         both = [v for v in verdicts if v.cost == v.cost and dearest[v.cell.name] == dearest[v.cell.name]]
         cost = sum(v.cost for v in both) / sum(dearest[v.cell.name] for v in both)
-        cells = ['%d' % told[kind] for kind in KINDS] + ['%d of %d' % (near, len(decided)), '%.1f %%' % (100.0 * matrix.BOUND * silent) if silent else '-']
+        cells = ['%d' % told[kind] for kind in KINDS] + ['%d of %d' % (near, len(decided)), '%.1f %%' % (100.0 * matrix.BOUND * missed) if missed else '-']
         rows.append('| `%s` | %s | %.2f |' % (numerics, ' | '.join(cells), cost))
     return '\n'.join(rows) + '\n'
 
@@ -213,7 +213,7 @@ def play_automatic(args, todo, folder):
 
 
 def holds(verdicts, whole):
-    """No cell silent, none right whose energy leaks; of the whole matrix enough right and decided. Says what does not hold."""
+    """No cell missed, none right whose energy leaks; of the whole matrix enough right and decided. Says what does not hold."""
     told, good = counts(verdicts), True
     leaking = [v for v in verdicts if v.kind == 'right' and not v.balances()]
     for v in leaking:
@@ -223,4 +223,4 @@ def holds(verdicts, whole):
         good = told['right'] >= LEAST_RIGHT * decided and told['undecided'] <= MOST_UNDECIDED * len(verdicts)
         print('of the %d decided %.0f %% are right (at least %.0f), %.0f %% of all undecided (at most %.0f)' % (
             decided, 100.0 * told['right'] / max(decided, 1), 100.0 * LEAST_RIGHT, 100.0 * told['undecided'] / len(verdicts), 100.0 * MOST_UNDECIDED))
-    return good and not leaking and not told['silent']
+    return good and not leaking and not told['missed']
