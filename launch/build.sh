@@ -51,9 +51,15 @@ clear_line() { ! on_terminal || printf '\r\033[K'; }
 
 files_begun() { grep -c 'Building CXX object' "$1/build.log"; }
 
-# What make has still to compile; asked of make, for only it knows what is out of date. The rule stands for the libraries and
-# generated sources that are not there yet: without them make ends before it comes to what needs them.
-files_left() { make -n -k --eval='.DEFAULT: ;' -C "$1" $2 2>/dev/null | grep -o 'Building CXX object [^"]*' | sort -u | wc -l; }
+# How many files this build compiles: those begun, and what make has still to compile; asked of make, for only it knows what is out of date. The
+# rule stands for the libraries and generated sources that are not there yet: without them make ends before it comes to what needs them.
+files_in_all()
+{
+  {
+    make -n -k --eval='.DEFAULT: ;' -C "$1" $2 2>/dev/null
+    cat "$1/build.log"
+  } | grep -o 'Building CXX object [^"]*' | sort -u | wc -l
+}
 
 # What the build does: progress_text LOG BEGUN TOTAL SECONDS, of files and from the first to the last begun.
 progress_text()
@@ -82,8 +88,7 @@ show_progress()
     begun=$(files_begun "$dir")
     if [ "$begun" -gt 0 ] && [ -z "$total" ]; then
       since=$SECONDS
-      total=$(files_left "$dir" "$targets")
-      total=$((total + (begun > $(nproc) ? begun - $(nproc) : 0)))
+      total=$(files_in_all "$dir" "$targets")
     fi
     [ "$begun" = "$before" ] || last=$SECONDS  # the pace is that of whole files
     before=$begun
