@@ -15,7 +15,7 @@ from drill_rig_sim.score_command import BAD_INPUT, GOOD
 from drill_rig_sim.units import SYSTEMS, Units
 
 # of the table: column, motions whose load it holds
-WEIGHTS = ("pick_up", "slack_off", "rotating_after_up", "rotating_after_down", "slips_up", "slips_down")
+WEIGHTS = ("pick_up", "slack_off", "rotating_up", "rotating_down", "rotating_after_up", "rotating_after_down", "slips_up", "slips_down")
 HEADER = ["motion", "begin (s)", "end (s)", "rows", "speed (m/s)", "rotation (rad/s)", "flow (m3/s)", "deviation (N)", "depth (m)", "block_height (m)", *("%s (N)" % name for name in WEIGHTS), "torque (N.m)"]
 
 
@@ -55,6 +55,8 @@ def remarks_on(record, moves, odd):
     lines = record.remarks + odd
     if "hole_depth" not in record:
         lines.append("%s: has no hole_depth: the bit counts as off bottom where it is %g m or more above its deepest position so far" % (record.name, OFF_BOTTOM))
+    if "top_drive_speed" not in record:
+        lines.append("%s: has no top_drive_speed: the string counts as not turned, and moves with rotation are among pick_up and slack_off" % record.name)
     pumped = [move for move in moves if move.pumped]
     if pumped:
         lines.append("%s: the pump ran in %d of %d moves; drill calibrate adds what the flow lifts by the scene's mud: compare with --no-flow" % (record.name, len(pumped), len(moves)))

@@ -7,6 +7,7 @@ import os
 import sys
 import tempfile
 import unittest
+import unittest.mock
 
 if not importlib.util.find_spec("scipy"):
     print("skipped: SciPy is not installed (python3-scipy: ./test/run --campaigns)")
@@ -76,6 +77,27 @@ class Simulated(unittest.TestCase):
         self.assertGreaterEqual(sum(said["within"] * said["rows"] for said in found["summary"].values()) / rows, 0.8, out)
 
 
+class Turned(unittest.TestCase):
+    def test_friction_comes_back_of_a_string_that_turns_as_it_moves(self):
+        """At two ratios of speed and rotation."""
+        motions = [{"do": "rotate", "speed_rpm": 60.0, "ramp": 5.0, "time": 20.0}, {"do": "pick_up", "distance": 14.0, "speed": 0.2}, {"do": "wait", "time": 5.0},
+                   {"do": "slack_off", "distance": 14.0, "speed": 0.2}, {"do": "rotate", "speed_rpm": 30.0, "ramp": 5.0, "time": 20.0},
+                   {"do": "pick_up", "distance": 14.0, "speed": 0.4}, {"do": "slack_off", "distance": 14.0, "speed": 0.4}]
+        with tempfile.TemporaryDirectory() as folder, unittest.mock.patch.dict(made_weights.SCENE, operations=motions):
+            record, table, answer = made_weights.write_record(folder, made_weights.write_scene(folder)), os.path.join(folder, "w.csv"), os.path.join(folder, "fit.json")
+            status, out, told = called(weights_command.main, record, "--csv", table)
+            self.assertEqual(0, status, told)
+            self.assertEqual((2, 2), (out.count("rotating_up "), out.count("rotating_down ")), out)
+            fit = {"scene": "scene.yaml", "table": {"file": "w.csv"}, "held_out": 0.0,
+                   "parameters": [{"name": "friction", "key": "well.sections[0].friction", "start": 0.35, "from": 0.0, "to": 0.8}]}
+            with open(os.path.join(folder, "fit.yaml"), "w", encoding="utf-8") as text:
+                yaml.safe_dump(fit, text)
+            status, out, told = called(calibrate_command.main, os.path.join(folder, "fit.yaml"), "--json", answer)
+            self.assertEqual(0, status, told)
+            with open(answer, encoding="utf-8") as text:
+                self.assertAlmostEqual(made_weights.FRICTION, json.load(text)["parameters"][0]["value"], delta=0.02, msg=out)
+
+
 class Made(unittest.TestCase):
     """Rows that are written by hand: 0.2 m/s, a row a second."""
 
@@ -112,9 +134,22 @@ class Made(unittest.TestCase):
         self.assertEqual(([("pick_up", 900000), ("rotating_after_up", 800000), ("slack_off", 700000), ("rotating_after_down", 800000)]),
                          self.found([self.STOP, self.UP, self.STOP, self.TURN, self.STOP, self.DOWN, self.STOP, self.TURN])[0])
 
+    def test_a_string_that_turns_as_it_moves(self):
+        up, down = (60, 0.2, 6.0, 0.0, 83e4), (60, -0.2, 6.0, 0.0, 78e4)
+        moves, told = self.found([self.STOP, self.UP, self.STOP, up, self.TURN, down, self.TURN])
+        self.assertEqual([("pick_up", 900000), ("rotating_up", 830000), ("rotating_after_up", 800000), ("rotating_down", 780000), ("rotating_after_down", 800000)], moves)
+        self.assertNotIn("no steady", told)
+        faster = [(8, 0.1 + 0.237 * (k % 2), 6.0, 0.0, 9e5) for k in range(10)]  # a speed of the block that changes all the time
+        slower = [(4, 0.2, 6.0 + 3.0 * (k % 2), 0.0, 9e5) for k in range(20)]    # the same of the rotation
+        for parts in (faster, slower, [(12, 0.2, 6.0, 0.0, 9e5)]):               # too short
+            self.assertEqual(2, self.found([self.STOP, *parts, self.STOP])[0], parts)
+
+    def test_a_record_without_rotation(self):
+        _, told = self.found([self.STOP, self.UP, self.STOP], names="time,reading_block_height,unknown,reading_flow,reading_hook_load,reading_bit_depth,reading_hole_depth")
+        self.assertIn("has no top_drive_speed: the string counts as not turned, and moves with rotation are among pick_up and slack_off", told)
+
     def test_what_is_no_steady_move(self):
         for parts in ([self.STOP], [self.STOP, (12, 0.2, 0.0, 0.0, 9e5), self.STOP],  # too short
-                      [self.STOP, (60, 0.2, 6.0, 0.0, 9e5), self.STOP],                # moved and turned
                       [self.STOP, (60, -0.005, 6.0, 0.02, 8e5), self.STOP]):           # drills, see below
             status, told = self.found(parts, hole=1000.0 if parts[1:2] and parts[1][1] == -0.005 else 1100.0)
             self.assertEqual((2, 1), (status, told.count("\n")), told)

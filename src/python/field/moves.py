@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Steady moves of a string off bottom in a record: pick-up, slack-off and rotating weights, and the empty block while the string is in the slips."""
+"""Steady moves of a string off bottom in a record: pick-up, slack-off and rotating weights, those of a string that turns as it moves, and the empty block while the string is in the slips."""
 import numpy
 from drill_rig_sim.field.course import LOWER_HALF, Course, half_band, resolution
 from drill_rig_sim.field.pipe import HANGS, check_directions, check_scale, clock, standstills
@@ -23,6 +23,7 @@ CALM = 0.1           # share by which the load of the empty block may differ
 SHORTEST = 5.0       # of a move that is averaged [s]
 LEAST_ROWS = 4
 VARIES = 3.0, 0.01   # of a load that is reported as uneven: this number of times the usual deviation, and this share of the load
+MOVES = "pick_up", "slack_off", "rotating_up", "rotating_down"  # in which the block moves with the string
 UNKNOWN = "rotating_unknown"  # after a gap that hides the last way of the block
 STILL_BLOCK = 0.02    # change of height through a gap in which the block stood [m]
 CLEAR = 0.5           # way of the block through a gap that shows how it came to where it is [m]
@@ -93,10 +94,10 @@ def moves_of(record, passed=None):
 def not_found(record, kinds, found):
     """A line on each kind of weight that the record may have, but no steady move of it."""
     lines = []
-    for motion, name in (("pick_up", "pick_up"), ("slack_off", "slack_off"), ("rotating", "rotating weight")):
-        ways = [way for way in runs(numpy.where(numpy.char.startswith(kinds, motion), motion, ""), numpy.zeros(len(kinds)), numpy.ones(len(kinds) - 1))
+    for name, motions in (("pick_up", ("pick_up",)), ("slack_off", ("slack_off",)), ("rotating weight", ("rotating_after_up", "rotating_after_down", UNKNOWN))):
+        ways = [way for way in runs(numpy.where(numpy.isin(kinds, motions), name, ""), numpy.zeros(len(kinds)), numpy.ones(len(kinds) - 1))
                 if record.time[way[1]] - record.time[way[0]] >= SETTLES]
-        if ways and not any(move.motion.startswith(motion) for move in found):
+        if ways and not any(move.motion in motions for move in found):
             begin, end = max(ways, key=lambda way: record.time[way[1]] - record.time[way[0]])
             lines.append("%s: no steady %s was found in %d moves, the longest of %.0f s from %.1f s on; needed after the start of a move: an even speed for %g s and %d rows "
                          "with a hook load" % (record.name, name, len(ways), record.time[end] - record.time[begin], clock(record, begin), SHORTEST, LEAST_ROWS))
@@ -132,13 +133,15 @@ def kinds_of(record, speeds, stands):
     turning = numpy.abs(record.at("top_drive_speed", record.time)) if "top_drive_speed" in record else numpy.zeros(len(record.time))
     faster, slower = numpy.maximum(turning[1:], turning[:-1]), numpy.minimum(turning[1:], turning[:-1])
     hung = off_bottom(record)
+    turned = hung & (slower > TURNING)
     kinds = numpy.full(len(speeds), "", dtype="U20")
     kinds[hung & (faster < STILL) & (speeds > MOVING)] = "pick_up"
     kinds[hung & (faster < STILL) & (speeds < -MOVING)] = "slack_off"
-    turned = hung & (slower > TURNING) & (numpy.abs(speeds) < MOVING)
+    kinds[turned & (speeds > MOVING)] = "rotating_up"
+    kinds[turned & (speeds < -MOVING)] = "rotating_down"
     last = last_ways(record, speeds)
     for way, name in ((1, "rotating_after_up"), (-1, "rotating_after_down"), (numpy.inf, UNKNOWN)):
-        kinds[turned & (last == way)] = name
+        kinds[turned & (numpy.abs(speeds) < MOVING) & (last == way)] = name
     for still in stands:
         kinds[still.begin:still.end] = ""
         away = numpy.arange(still.left, still.back)
@@ -205,12 +208,12 @@ def steady_part(record, kind, speeds, begin, end, most):
     measured = numpy.isfinite(record.signals["hook_load"])
     if kind.startswith("rotating") and len(rows) > 1:
         rows = even(rows, numpy.abs(record.at("top_drive_speed", record.time[rows[1:]])), EVEN)
-    elif not kind.startswith("slips") and len(rows) > 1:
+    if kind in MOVES and len(rows) > 1:
         rows = even(rows, speeds[rows[0]:rows[-1]], most[rows[0] - begin:rows[-1] - begin])
         if most.max() > EVEN and len(rows) > LEAST_ROWS:  # the first and the last interval may hold a start and a stop
             rows = next((part for part in (rows, rows[:-1], rows[1:], rows[1:-1]) if is_straight(record.time[part], speeds[part[:-1]])), rows[:0])
         rows = rows[rows < end]  # the load of the last row may be that of the block at rest
-    elif len(rows):  # what accelerates the empty block is little, and none in the mean
+    elif kind.startswith("slips") and len(rows):  # what accelerates the empty block is little, and none in the mean
         rows = rows[measured[rows]]
         load = record.signals["hook_load"][rows]
         rows = rows[numpy.abs(load - numpy.median(load)) <= CALM * abs(numpy.median(load))]  # not where it takes up the string
@@ -225,10 +228,13 @@ def settled(record, kind, speeds, rows):
     if kind.startswith("slips"):
         return lasted >= EMPTY_SETTLES
     depth = record.at("bit_depth", record.time[rows[0]])
+    steady = lasted >= SETTLES
     if kind.startswith("rotating"):
-        return (lasted >= SETTLES) & (turns_of(record, rows) >= TWIST[0] + TWIST[1] * depth)
+        steady &= turns_of(record, rows) >= TWIST[0] + TWIST[1] * depth
+    if kind not in MOVES:
+        return steady
     way = numpy.abs(numpy.concatenate(([0.0], numpy.cumsum(speeds[rows[:-1]] * numpy.diff(record.time[rows])))))
-    return (lasted >= SETTLES) & (way >= STRETCH[0] + STRETCH[1] * depth)
+    return steady & (way >= STRETCH[0] + STRETCH[1] * depth)
 
 
 def even(rows, speeds, most):
