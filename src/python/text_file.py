@@ -7,15 +7,24 @@ from drill_rig_sim.refusal import Refusal
 
 LONGEST = 2**24  # bytes of a scene, a survey or a plan
 _reported = set()
+_stands_for = {}  # files that remarks name, by the path of a file that was written in their place
 
 
 class TextError(Refusal):
     """Why a text file cannot be read, in one line with its name."""
 
 
+def stands_for(path, file):
+    """Remarks on the file at `path`, which was written in the place of another one, name that one. The path."""
+    _stands_for[path] = file
+    return path
+
+
 def report(remarks):
     """Logs what readers remark of a file, each once in a process: on stderr, where no log is set up."""
     for remark in remarks:
+        for path, file in _stands_for.items():
+            remark = remark.replace(path, file)
         if remark not in _reported:
             _reported.add(remark)
             logging.getLogger("drill_rig_sim").warning("%s", remark)

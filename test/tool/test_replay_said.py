@@ -11,6 +11,7 @@ from drill_rig_sim import replay_command
 from drill_rig_sim.field.pipe import standstills
 from drill_rig_sim.field.record import RecordError, read_record
 from drill_rig_sim.field.replay import check, play
+from drill_rig_sim.field.start import simulator_of
 from drill_rig_sim.sim import Simulator
 from in_folder import InFolder
 
@@ -33,6 +34,15 @@ class Said(InFolder):
         play(Simulator(QUICK), read_record(self.file("still.csv", "time,reading_block_height,reading_hook_load\n0,20,2e5\n2,20,2e5\n")), tell=lambda done, whole: seen.append((done, whole)))
         self.assertEqual(sorted(seen), seen)
         self.assertAlmostEqual(seen[-1][1], seen[-1][0], delta=0.2)
+
+    def test_remarks_name_the_scene_that_was_given(self):
+        """Not the file that holds it with the start of the record."""
+        with open(QUICK, encoding="utf-8") as text:
+            scene = text.read().replace("hole_depth: 100.0", "hole_depth: 110.0\n  project: straight").replace("to: 100.0", "to: 110.0")
+        file = self.file("projected.yaml", scene)
+        with self.assertLogs("drill_rig_sim") as logged:
+            simulator_of(file, scene, None, {"start.bit_depth": 105.0})
+        self.assertEqual(["%s: the survey was projected 10 m" % file], [line.getMessage().partition(" (")[0] for line in logged.records])
 
     def test_connections_without_a_bit_depth_are_refused(self):
         """The block pulls a stand, comes back empty and pulls the next one."""

@@ -12,6 +12,7 @@ from drill_rig_sim.field.record import RecordError
 from drill_rig_sim.field.window import between
 from drill_rig_sim.lockstep import Failed, Refused
 from drill_rig_sim.sim import Simulator
+from drill_rig_sim.text_file import stands_for
 
 FROM = ("scene", "record")  # where the start is taken from
 
@@ -53,7 +54,7 @@ def simulator_of(file, scene, survey, values):
     except SceneTextError as error:
         raise RecordError("%s: %s" % (file, error))
     try:
-        return Simulator(blueprint.written(list(values.values())))
+        return Simulator(stands_for(blueprint.written(list(values.values())), file))
     except Failed:
         raise
     except Refused as error:
