@@ -12,23 +12,22 @@
 #include "drill_rig_sim/math/rotation.h"
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/model/bore_fill.h"
-#include "drill_rig_sim/model/guides.h"
 #include "drill_rig_sim/model/hole_cleaning.h"
 #include "drill_rig_sim/model/mud_temperature.h"
 #include "drill_rig_sim/rig/hoisting.h"
 #include "drill_rig_sim/scene/scene_mesh.h"
 #include "drill_rig_sim/solve/length_search.h"
 #include "drill_rig_sim/well/directions.h"
+#include "placed_string.h"
 
 namespace drill_rig_sim
 {
-using Eigen::Matrix3d;
-using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
 namespace
 {
-constexpr int kMaxRounds = 20;
+constexpr int kPlacedRounds = 20;            // in which the string is placed along its hole
+constexpr int kFollowedRounds = 20;          // in which it begins where it came to rest
 constexpr int kFreeRounds = 6;               // after which the bend is held
 constexpr double kDepthTolerance = 1e-6;     // [m]
 constexpr double kMissedDepth = 1e-3;        // [m]
@@ -40,112 +39,14 @@ constexpr double kHoldTolerance = 1e-2;  // of the torque that holds the bend: i
 constexpr double kMostWork = 2e7;        // of one start [nodes times iterations]; some 50 s
 constexpr int kStretchRounds = 4;
 
-/// A string to begin with.
-struct Guess
-{
-  double length = 0.0;    ///< unstretched [m]
-  double toolface = 0.0;  ///< of the bend [rad]
-  double twist = 0.0;     ///< of the top beyond the bend, clockwise [rad]
-  bool held = false;      ///< the bend, at its toolface
-};
-
-/// The node whose toolface is the string's: of the bend; without one the lowest.
-std::size_t toolface_node(const Mesh& mesh) noexcept
-{
-  return static_cast<std::size_t>(std::max(0, mesh.bend_node));
-}
-
-/// From the bend up to each node, per torque [rad/(N m)]; 0 below.
-std::vector<double> torsional_compliances(const Mesh& mesh)
-{
-  std::vector<double> compliance(mesh.nodes.size(), 0.0);
-  for (std::size_t e = toolface_node(mesh); e < mesh.elements.size(); ++e)
-    compliance[e + 1] = compliance[e] + 1.0 / mesh.elements[e].section.torsion;
-  return compliance;
-}
-
-/// Nodes along the hole, resting on its low side where it is inclined; sections twisted as the guess says, y axes at the
-/// toolface. `stretch`: how far each node is from its unstretched place, away from the bit [m]; nodes farther than `free_length`
-/// above the bit's face are guided [m].
-void place_string(const Mesh& mesh, const Wellbore& well, double depth, const Guess& guess, const std::vector<double>& stretch,
-                  double free_length, State& state)
-{
-  state.nodes.assign(mesh.nodes.size(), NodeState());
-  state.spans.assign(mesh.elements.size(), SpanState());
-  const WellNode bottom = well.at(depth - mesh.nodes[0].from_bit);
-  const Vector3d up = toolface_side(bottom.tangent, well.at(depth - mesh.nodes[toolface_node(mesh)].from_bit).tangent);
-  Matrix3d axes;
-  axes.col(0) = bottom.tangent;
-  axes.col(1) = up * std::cos(guess.toolface) + bottom.tangent.cross(up) * std::sin(guess.toolface);
-  axes.col(2) = axes.col(0).cross(axes.col(1));
-  Quaterniond q(axes);
-  const std::vector<double> compliance = torsional_compliances(mesh);
-  for (std::size_t i = 0; i < mesh.nodes.size(); ++i)
-  {
-    const double md = depth - mesh.nodes[i].from_bit - stretch[i];
-    const WellNode p = well.at(md);
-    q = pointed_along(q, p.tangent);
-    state.nodes[i].orientation = rotation_from_vector(guess.twist * compliance[i] / compliance.back() * p.tangent) * q;
-    state.nodes[i].position = p.position;
-    state.nodes[i].guided = mesh.nodes[i].from_bit > free_length;
-    if (md <= 0.0) continue;
-    const double gap = p.radius - mesh.nodes[i].contact_radius;
-    const double inclined = p.tangent.head<2>().norm();  // sin I
-    if (gap > 0.0 && inclined > 1e-3) state.nodes[i].position -= std::min(1.0, 20.0 * inclined) * gap * high_side(p.tangent);
-  }
-}
-
-/// Moves the top node to the block's height over the well's centre, and points it down.
-void hang_on_block(const Scene& scene, State& state)
-{
-  NodeState& top = state.nodes.back();
-  top.position = Vector3d(0.0, 0.0, scene.start.block_height);
-  top.orientation = pointed_along(top.orientation, -Vector3d::UnitZ());
-}
-
 double angle_error(double angle, double wanted)
 {
   return std::remainder(angle - wanted, 2.0 * pi);
 }
 
-/// What an element whose upper end is at measured depth `depth` pulls along its hole, in mud, a string empty inside down to
-/// `level` [N].
-double pull_along_hole(const MeshElement& e, const Scene& scene, const Wellbore& well, double depth, double level)
-{
-  const double empty = std::clamp((level - depth) / e.section.length, 0.0, 1.0);
-  return standard_gravity * (e.linear_mass - scene.mud.density * (e.displaced + empty * e.holds)) * e.section.length *
-         -well.at(depth).tangent.z();
-}
-
-/// How far each node moves away from the bit as the string stretches under its own weight in mud, bit
-/// first [m]. A guess: no drag, no bending, no weight on bit.
-std::vector<double> estimated_stretch(const Mesh& mesh, const Scene& scene, const Wellbore& well, double depth)
-{
-  const double level = fill_level(scene.mud, depth);
-  double load = 0.0;
-  std::vector<double> stretch{0.0};
-  for (const MeshElement& e : mesh.elements)
-  {
-    depth -= e.section.length;
-    const double weight = pull_along_hole(e, scene, well, depth, level);
-    stretch.push_back(stretch.back() + (load + 0.5 * weight) * e.section.length / e.section.axial);
-    load += weight;
-  }
-  return stretch;
-}
-
 [[noreturn]] void fail(const std::string& what)
 {
   throw std::runtime_error("start: " + what);
-}
-
-/// What the string pulls along its hole, without friction [N].
-double string_pull(const Scene& scene, const Mesh& mesh, const Wellbore& well, double depth)
-{
-  double pull = standard_gravity * mesh.bit_mass;
-  const double level = fill_level(scene.mud, depth);
-  for (const MeshElement& e : mesh.elements) pull += pull_along_hole(e, scene, well, depth -= e.section.length, level);
-  return pull;
 }
 
 /// A weight on bit that string and block together do not make, whatever the equilibrium.
@@ -159,15 +60,11 @@ void check_weight_on_bit(const Scene& scene, const Mesh& mesh, const Wellbore& w
   fail(message.str());
 }
 
-/// Puts the string of `rig` into the hole and lets it come to rest. `work`: of the start so far [nodes times iterations],
+/// Lets the string of `rig`, which is where it was placed, come to rest. `work`: of the start so far [nodes times iterations],
 /// bounded.
 void find_equilibrium(const Scene& scene, const Wellbore& well, double depth, const Guess& guess, double& work, RigAtRest& rig)
 {
   const Mesh& mesh = rig.model->mesh();
-  // stretched as it will be: the way to the equilibrium goes in increments of 2 cm
-  place_string(mesh, well, depth, guess, estimated_stretch(mesh, scene, well, depth), free_length(scene), rig.state);
-  hang_on_block(scene, rig.state);
-  settle_guided(rig.state);
   const double most = (kMostWork - work) / rig.model->nodes();
   const ToolfaceHold hold{mesh.bend_node, guess.toolface, well.at(depth - mesh.nodes[toolface_node(mesh)].from_bit).tangent};
   const auto rest = [&]
@@ -319,9 +216,28 @@ void turn(double toolface, int round, const StartErrors& errors, Guess& guess) n
   if (guess.held) guess.toolface = toolface;
 }
 
-[[noreturn]] void refuse(const StartErrors& errors, bool on_bottom)
+/// Weights on bit of equilibria that were found, next to the wanted one [N]; 0: none.
+struct NearestWeights
+{
+  double below = 0.0, above = 0.0;
+
+  void take(double weight, double wanted) noexcept
+  {
+    if (weight < wanted) below = std::max(below, weight);
+    if (weight > wanted) above = above > 0.0 ? std::min(above, weight) : weight;
+  }
+};
+
+[[noreturn]] void refuse(const StartErrors& errors, bool on_bottom, const NearestWeights& nearest)
 {
   std::ostringstream message;
+  const bool snaps = nearest.below > 0.0 && nearest.above > 0.0;
+  if (on_bottom && snaps && std::abs(errors.toolface) < kMissedToolface && errors.is_free())
+  {
+    message << "weight_on_bit: compressed pipe buckles from one shape into another one between " << nearest.below << " and "
+            << nearest.above << " N, and no equilibrium was found between them; use one of these weights, or a smaller one";
+    fail(message.str());
+  }
   message << "no static equilibrium found with start." << (on_bottom ? "weight_on_bit" : "bit_depth")
           << " and start.toolface_deg: the nearest is off by " << errors.length << " m of string and " << errors.toolface / degree
           << " deg of toolface";
@@ -367,17 +283,28 @@ RigAtRest build_at_rest(const Scene& scene)
   StartErrors errors;
   LengthSearch wanted_length;
   double work = 0.0;
-  for (int round = 0; round < kMaxRounds; ++round)
+  NearestWeights nearest;
+  Guess last;
+  for (int round = 0; round < kPlacedRounds + kFollowedRounds; ++round)
   {
     rig.model = std::make_shared<Model>(scene, build_mesh(scene, guess.length));
     if (round == 0) check_torque_on_bit(start, *rig.model, well);
+    // Compressed pipe buckles into another shape from one length to the next, each time it is placed anew, and no length has the
+    // weight between them: the shape that it has is followed.
+    if (round == kPlacedRounds) wanted_length = LengthSearch();
+    if (round >= kPlacedRounds && rig.state.nodes.size() == rig.model->mesh().nodes.size())
+      turn_string(rig.model->mesh(), last, guess, rig.state);
+    else
+      place_string(rig.model->mesh(), scene, well, depth, guess, rig.state);
+    last = guess;
     find_equilibrium(scene, well, depth, guess, work, rig);
     errors = errors_of(scene, well, depth, rig);
     if (errors.small()) break;
+    nearest.take(rig.statics.forces.wob, start.weight_on_bit);
     guess.length = wanted_length.next(guess.length, errors.length);
     turn(start.toolface, round, errors, guess);
   }
-  if (!errors.bearable()) refuse(errors, on_bottom);
+  if (!errors.bearable()) refuse(errors, on_bottom, nearest);
 
   rig.state.memory.past.assign(MethodMemory::room, {std::vector<NodeRate>(rig.state.nodes.size()), 0.0});
   const double hook_load = rig.statics.top_force + standard_gravity * scene.rig.hoisting.block_mass;

@@ -300,4 +300,18 @@ TEST(Start, compressedPipeThatSnaps)
     }
 }
 
+// With nearly all of its weight on the bit, light pipe buckles from one shape into another one: placed anew at each length the
+// string has every weight but the scene's.
+TEST(Start, aWeightBetweenTwoBuckledShapes)
+{
+  for (const double weight : {214e3, 231e3})
+  {
+    Scene scene = read_scene(in_source("test/scenes/buckled_start.yaml"));
+    scene.start.weight_on_bit = weight;
+    const RigAtRest rig = build_at_rest(scene);
+    EXPECT_NEAR(rig.statics.forces.wob, weight, 1e-3 * weight);
+    EXPECT_LT(rig.statics.residual, 1e-6 * weight);
+  }
+}
+
 }  // namespace drill_rig_sim::test_solve_start
