@@ -2,6 +2,7 @@
 #include "problems.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "drill_rig_sim/scene/read_scene.h"
 #include "text_decoder.h"
@@ -27,13 +28,22 @@ constexpr bool goes_on(char c)
   return (static_cast<unsigned char>(c) & 0xc0) == 0x80;
 }
 
-// letters and signs of Latin, Greek, Cyrillic, Chinese: a character of two or three bytes
+struct Characters
+{
+  unsigned first, last;
+};
+// of two or three bytes: letters, marks of footnotes, dashes, fractions, arrows, signs of mathematics and ticks, without spaces
+// and what has no sign of its own or changes the direction of the line
+constexpr Characters shown_characters[] = {
+    {0xa1, 0xac},     {0xae, 0x24f},    {0x391, 0x3a1},   {0x3a3, 0x52f},   {0x1e00, 0x1eff}, {0x2010, 0x2027}, {0x2030, 0x205e},
+    {0x2070, 0x20c0}, {0x2100, 0x23ff}, {0x2460, 0x27bf}, {0x3001, 0x30ff}, {0x4e00, 0x9fff}, {0xac00, 0xd7a3}, {0xff01, 0xff5e}};
+
 bool is_shown(const std::string& character)
 {
   unsigned code = static_cast<unsigned char>(character.front()) & (character.size() == 2 ? 0x1fu : 0x0fu);
   for (std::size_t i = 1; i < character.size(); ++i) code = code << 6 | (static_cast<unsigned char>(character[i]) & 0x3fu);
-  return (code > 0xa0 && code < 0x250 && code != 0xad) || (code > 0x390 && code < 0x530 && code != 0x3a2) ||
-         (code >= 0x4e00 && code < 0xa000);
+  return std::any_of(std::begin(shown_characters), std::end(shown_characters),
+                     [&](const Characters& some) { return code >= some.first && code <= some.last; });
 }
 
 // what a broken file holds must not reach the one-line messages: control characters, line breaks, half of an UTF-8 sequence

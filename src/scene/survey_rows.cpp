@@ -58,7 +58,8 @@ std::string shown_cell(const std::string& cell)
   const std::string lower = lowered(cell);
   const bool like_number =
       lower.find_first_of("0123456789") != std::string::npos && lower.find_first_not_of("0123456789+-.,'e ") == std::string::npos;
-  for (const char* word : {"nan", "inf", "infinity", "null", "n/a", "na", "-", "--"})
+  for (const char* word : {"nan", "inf", "infinity", "null", "n/a", "na", "-", "--", "nan(ind)", "1.#inf", "1.#ind", "1.#qnan",
+                           "#n/a", "#value!", "#ref!", "#num!", "#div/0!", "#name?", "#null!"})
     if (lower == word || lower == std::string("-") + word || lower == std::string("+") + word) return "\"" + cell + "\"";
   if (cell.empty()) return "nothing";
   return (like_number && cell.size() <= longest_shown) || has_mark(cell) ? "\"" + cell + "\"" : "text";

@@ -128,7 +128,20 @@ TEST(SceneSurvey, MarksOfFootnotes)
                       ":4: MD (ft): must be a number without a mark or a unit behind it (got \"" + std::string(cell) + "\")"))
         << refusal(head + cell + ";2,5;40,0\n");
   EXPECT_TRUE(holds(refusal(head + "2.000,0;2,5 1);40,0\n"), ":4: Inc (deg): must be a number without a mark"));
-  EXPECT_TRUE(holds(refusal(head + "2.000,0\xe2\x80\xa0;2,5;40,0\n"), ":4: MD (ft): must be a number without a mark"));
+  // signs of two and three bytes are shown as they are
+  for (const char* mark : {"\xc2\xb9", "\xe2\x80\xa0", "\xe2\x80\xa1"})
+    EXPECT_TRUE(
+        holds(refusal(head + "2.000,0" + mark + ";2,5;40,0\n"),
+              ":4: MD (ft): must be a number without a mark or a unit behind it (got \"2.000,0" + std::string(mark) + "\")"));
   EXPECT_TRUE(holds(refusal(head + "2000 secret;2,5;40,0\n"), ":4: MD (ft): must be a finite number (got text)"));
+}
+
+// What a spreadsheet or a program writes for no number is shown, another text is not.
+TEST(SceneSurvey, WordsForNoNumber)
+{
+  for (const char* cell : {"#N/A", "#VALUE!", "#REF!", "#DIV/0!", "NaN", "-nan(ind)", "1.#INF", "-1.#IND"})
+    EXPECT_TRUE(holds(refusal("MD (m),Inc (deg),Azi (deg)\n0,0,0\n100," + std::string(cell) + ",0\n"),
+                      ":3: Inc (deg): must be a finite number (got \"" + std::string(cell) + "\")"))
+        << cell;
 }
 }  // namespace drill_rig_sim::test_scene_survey_cells
