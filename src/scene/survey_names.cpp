@@ -30,7 +30,7 @@ void add_english(Names& all)
       "holeincl holeangle drift driftangle devi deviation deviationangle");
   add(all, survey_azimuth,
       "azi az azm azim azmth azimth azimuth azimuthangle aziazimuth azimuthazi correctedazimuth "
-      "azimuthcorrected driftazimuth driftdirection aziangle holeazimuth holeazi holeaz holedirection "
+      "azimuthcorrected driftazimuth driftdirection aziangle azimangle azmangle azangle holeazimuth holeazi holeaz holedirection "
       "hazi direction haz");
   add(all, survey_inclination, "holedev hdev devangle zenith zenithangle surveyinc surveyinclination svyinc", true);
   add(all, survey_azimuth, "holedir hdir dir bearing surveyazi surveyazimuth svyazi", true);

@@ -117,7 +117,15 @@ Cells names_by_place(const std::vector<std::string>& lines, const std::string& r
   Cells names(cells.size());
   for (const std::string& line : lines)
   {
-    for (const Placed& name : placed_texts(line, 2))
+    const std::vector<Placed> texts = placed_texts(line, 2);
+    const Cells words = words_between_blanks(trimmed(line));
+    if (texts.size() < cells.size() && words.size() == cells.size())
+    {
+      // names so long that one blank parts them: a word for each column
+      for (std::size_t k = 0; k < words.size(); ++k) names[k] += (names[k].empty() ? "" : " ") + words[k];
+      continue;
+    }
+    for (const Placed& name : texts)
     {
       const auto below = std::min_element(
           cells.begin(), cells.end(), [&](const Placed& a, const Placed& b) { return distance(name, a) < distance(name, b); });

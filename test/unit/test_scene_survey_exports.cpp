@@ -116,6 +116,18 @@ TEST(SceneSurvey, NamesAboveAlignedColumns)
   ASSERT_EQ(2u, three.stations.size());
   EXPECT_NEAR(600.0, three.stations[1].md, 1e-9);
 
+  // one blank parts the long names, and the angles are called so
+  for (const char* names : {"Measured  Inclination Azimuth\nDepth     Angle       Angle\n(feet)    (deg)       (deg)\n",
+                            "  MEASURED    INCL      AZIM\n   DEPTH      ANGLE     ANGLE\n   (feet)     (deg)     (deg)\n",
+                            "Measured   Inclination Azimuth\nDepth (ft) Angle(deg)  Angle(deg)\n"})
+  {
+    const SurveyTable longer = read(names + std::string("0.0       0.00      118.59\n1000.0    4.00      50.00\n"));
+    ASSERT_EQ(2u, longer.stations.size()) << names;
+    EXPECT_NEAR(304.8, longer.stations[1].md, 1e-9);
+    EXPECT_NEAR(4.0 * degree, longer.stations[1].inclination, 1e-12);
+    EXPECT_NEAR(50.0 * degree, longer.stations[1].azimuth, 1e-12);
+  }
+
   const std::string rows = "  Depth     Inc     Azi\n    (m)   (deg)   (deg)\n      0       0       0\n    600       4      50\n";
   EXPECT_TRUE(holds(read(rows).remarks.at(0), "\"Depth\" is read as measured depth"));
   EXPECT_TRUE(read("Measured\n" + rows).remarks.empty());
