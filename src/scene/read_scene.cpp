@@ -154,6 +154,7 @@ private:
     }
   }
 
+  // up to the first number that is wrong: what follows it is likely wrong for the same reason
   void read_stations(const YAML::Node& node, const std::string& path, WellSpec& well)
   {
     bool good = true;
@@ -161,6 +162,7 @@ private:
                   [&](const YAML::Node& item, const std::string& p)
                   {
                     double value[3] = {};
+                    if (!good) return;
                     if (!item.IsSequence() || item.size() != 3)
                     {
                       problems_.add(p, describe(item) + " is given, allowed: [measured depth m, inclination deg, azimuth deg]");
@@ -169,8 +171,8 @@ private:
                     }
                     const Range ranges[3] = {between(0.0, deepest_well), between(0.0, 180.0), between(-360.0, 360.0)};
                     const char* units[3] = {"m", "deg", "deg"};
-                    for (std::size_t i = 0; i < 3; ++i)
-                      good = read_number(item[i], p, ranges[i], units[i], value[i], problems_) && good;
+                    for (std::size_t i = 0; i < 3 && good; ++i)
+                      good = read_number(item[i], p, ranges[i], units[i], value[i], problems_);
                     well.survey.push_back({value[0], value[1] * degree, value[2] * degree});
                   });
     if (!good || !node.IsSequence()) return;

@@ -8,6 +8,7 @@
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/scene/scene_mesh.h"
 #include "drill_rig_sim/string/string_checks.h"
+#include "drill_rig_sim/well/projection.h"
 #include "drill_rig_sim/well/well_checks.h"
 #include "operation_problems.h"
 #include "program_problems.h"
@@ -234,8 +235,12 @@ void check_start(const Scene& scene, ProblemList& problems)
   const HoistingSpec& h = scene.rig.hoisting;
   if (start.bit_depth > scene.well.hole_depth)
   {
-    problems.emplace_back("start.bit_depth", metres(start.bit_depth) + " is below the hole's bottom, allowed: up to " +
-                                                 metres(scene.well.hole_depth));
+    const bool can_project = scene.well.project == Projection::none && !scene.well.survey.empty() &&
+                             start.bit_depth <= scene.well.survey.back().md + longest_projection;
+    problems.emplace_back("start.bit_depth",
+                          metres(start.bit_depth) + " is below the hole's bottom, allowed: up to " +
+                              metres(scene.well.hole_depth) +
+                              (can_project ? "; well.hole_depth and well.project: straight or curvature extend it" : ""));
   }
   const bool can_travel = h.lowest_block_height < h.highest_block_height;
   if (can_travel && (start.block_height < h.lowest_block_height || start.block_height > h.highest_block_height))

@@ -211,6 +211,15 @@ TEST(SceneUnits, AUnitOfAnotherQuantityIsRefusedWithTheAllowedOnes)
             refusal({"mud.density=9 baume"}));
 }
 
+// what follows the first wrong number of a long list is likely wrong for the same reason
+TEST(SceneUnits, AWrongUnitOfStationsIsOneLine)
+{
+  EXPECT_EQ("setting: well.stations[0]: grad is ambiguous; allowed: gon or deg",
+            refusal({"well.stations=[[0 m, 0 grad, 0 grad], [100 m, 3 grad, 0 grad], [200 m, 6 grad, 0 grad]]"}));
+  EXPECT_EQ("setting: well.stations[1]: 361 is out of range, allowed: -360 to 360 deg",
+            refusal({"well.stations=[[0, 0, 0], [100, 3, 361], [200, 6, 362]]"}));
+}
+
 TEST(SceneUnits, ANumberThatHasNoUnitTakesNone)
 {
   EXPECT_EQ("setting: well.sections[0].friction: m is a length; allowed: a number without a unit",
@@ -255,8 +264,12 @@ TEST(SceneUnits, WhatIsOutOfRangeIsShownInTheUnitOfTheInput)
 // Checks between keys compare SI numbers; the line about a key is in the unit of its input.
 TEST(SceneUnits, ChecksBetweenKeysSpeakTheUnitOfTheInput)
 {
-  EXPECT_EQ("setting: start.bit_depth: 400 ft is below the hole's bottom, allowed: up to 328.084 ft",
-            refusal({"start.bit_depth=400 ft"}));
+  EXPECT_EQ("setting: start.bit_depth: 600 ft is below the hole's bottom, allowed: up to 328.084 ft",
+            refusal({"start.bit_depth=600 ft"}));
+  EXPECT_EQ(
+      "setting: start.bit_depth: 410 ft is below the hole's bottom, allowed: up to 328.084 ft; well.hole_depth and "
+      "well.project: straight or curvature extend it",
+      refusal({"start.bit_depth=410 ft"}));
   EXPECT_EQ("setting: start.block_height: 200 ft is outside the block's travel, allowed: 3.28084 to 131.234 ft",
             refusal({"start.block_height=200 ft"}));
   EXPECT_EQ("setting: start.weight_on_bit: 5 klbf with the bit off bottom, allowed: 0, or bit_depth equal to hole_depth",
