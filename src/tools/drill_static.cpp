@@ -47,7 +47,7 @@ void print_pushed(const StaticReport& report, const Printed& printed)
       block.c_str());
 }
 
-void print_report(const StaticReport& report, const Printed& printed)
+void print_report(const StaticReport& report, bool is_rule_of_thumb, const Printed& printed)
 {
   const Printed::InSI newton{"%.1f", "N"}, newton_metre{"%.1f", "N m"}, metre{"%.0f", "m"};
   const auto force = [&](const char* name, double si, const char* end)
@@ -73,8 +73,9 @@ void print_report(const StaticReport& report, const Printed& printed)
   share("yield", "its yield strength", report.loads.stress);
   share("buckling", "its critical buckling load", report.loads.buckling);
   if (report.annulus_pressure != 0.0)
-    std::printf("annulus          %12s at the bit, by the moving mud\n",
-                printed(report.annulus_pressure, Dimension::pressure, {"%.3f", "MPa", 1e-6}).c_str());
+    std::printf("annulus          %12s at the bit, by the moving mud%s\n",
+                printed(report.annulus_pressure, Dimension::pressure, {"%.3f", "MPa", 1e-6}).c_str(),
+                is_rule_of_thumb ? ": a rule of thumb, whatever the viscosity; set mud.rheology" : "");
   print_buckled(report.buckled, printed);
   print_pushed(report, printed);
   if (report.refined_length > 0.0)
@@ -113,7 +114,7 @@ void print_static(const StaticOptions& options)
   {
     throw ComputationError(scene.file + ": " + e.what());
   }
-  print_report(report, Printed(options.units));
+  print_report(report, !scene.rheology, Printed(options.units));
   const std::string doubt = text_of(report.accuracy);
   if (!doubt.empty()) std::printf("accuracy warning: %s\n", doubt.c_str());
   if (report.tight) std::printf("assembly warning: %s\n", text_of(*report.tight).c_str());

@@ -179,6 +179,10 @@ class Static(test_drill.Drill):
         self.assertLess(pumped, load)
         self.assertGreater(pressure, 0.0)
         self.assertIn('--flow', self.refuse('static', BOHAI, '--flow', '-1'))
+        rule = ': a rule of thumb, whatever the viscosity; set mud.rheology\n'
+        self.assertIn(rule, self.succeed('static', QUICK, '--speed', '0.3'))
+        rheology = ('--set', 'mud.rheology={law: newtonian}', '--set', 'string[0].nozzle_area=4e-4')
+        self.assertNotIn(rule, self.succeed('static', QUICK, '--speed', '0.3', *rheology))
 
     def test_profiles_at_rest_are_those_of_statics(self):
         self.succeed('static', BOHAI, '--csv', self.file('s.csv'))
