@@ -299,7 +299,8 @@ class Runs(Folder):
             self.assertRegex(reason, said)
 
     def test_a_reading_that_was_not_zeroed_is_no_output(self):
-        asked = "{weight: mean.readings.surface_wob, pressure: largest.readings.differential_pressure, last: last.readings.surface_wob, load: mean.readings.hook_load}"
+        asked = "{weight: mean.readings.surface_wob, pressure: largest.readings.differential_pressure, last: last.readings.surface_wob, load: mean.readings.hook_load, " \
+            "truth: mean.truth.surface_wob, motor: last.truth.differential_pressure, warm: mean.readings.flow_line_temperature, bottom: mean.truth.bottom_hole_temperature}"
         zeroed = "operations: [{do: tag, speed: 0.1, weight: 1000}]\n"
         with open(QUICK, encoding="utf-8") as text:
             scene = text.read()
@@ -310,7 +311,8 @@ class Runs(Folder):
             plan = read_plan(self.plan(re.sub(r"outputs: .*", "outputs: " + asked, text)))
             outputs = played.outputs_of(plan.blueprint, played.play(plan.blueprint, plan.rows[0]))
             known = bool(operations)
-            self.assertEqual([known] * 3 + [True], [outputs[name] is not None for name in ("weight", "pressure", "last", "load")])
+            self.assertEqual([known] * 4 + [True] * 2, [outputs[name] is not None for name in ("weight", "pressure", "last", "truth", "motor", "load")])
+            self.assertEqual([None] * 2, [outputs[name] for name in ("warm", "bottom")])  # the scene's mud has no temperature
 
     def test_another_build_or_kernel_is_refused(self):
         runner, row, identity = self.runner()

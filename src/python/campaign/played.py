@@ -15,7 +15,8 @@ STATISTICS = {
     "deviation": lambda values, weights: math.sqrt(numpy.average((values - numpy.average(values, weights=weights))**2, weights=weights)),
     "least": lambda values, weights: values.min(), "largest": lambda values, weights: values.max(),
     "first": lambda values, weights: values[0], "last": lambda values, weights: values[-1]}
-ZEROED = ("surface_wob", "differential_pressure")  # nan of readings that have not been zeroed yet
+ZEROED = {"readings": ("surface_wob", "differential_pressure"), "truth": ("surface_wob",), "bit": ()}  # nan until they have been zeroed
+TEMPERATURES = ("flow_line_temperature", "bottom_hole_temperature")  # 0 without mud.temperature
 SIDES = ("readings", "truth", "bit")
 
 
@@ -57,7 +58,9 @@ class Played:
 
     def _side(self, side, name):
         values = self._numbers(side, name)
-        return numpy.where(self._numbers("readings", "tared"), values, numpy.nan) if side == "readings" and name in ZEROED else values
+        if name in TEMPERATURES:
+            return numpy.where(values == 0.0, numpy.nan, values)
+        return numpy.where(self._numbers("readings", "tared"), values, numpy.nan) if name in ZEROED[side] else values
 
     def _numbers(self, side, name):
         if self._states is not None:
