@@ -73,7 +73,7 @@ progress_text()
     echo "compiling: file $begun"
   else
     ended=$((begun - $(nproc)))
-    total=$((begun > total ? begun : total))  # what was compiled while make counted may be missing
+    total=$((begun > total ? begun : total))  # a header changed: make may learn of more
     printf 'compiling: file %s of %s' "$begun" "$total"
     [ "$ended" -lt 4 ] || printf ', about %s left' "$(in_words $(((seconds * (total - ended) / ended / 10 + 1) * 10)))"
     echo

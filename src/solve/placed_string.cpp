@@ -6,7 +6,6 @@
 
 #include "drill_rig_sim/math/rotation.h"
 #include "drill_rig_sim/math/units.h"
-#include "drill_rig_sim/model/bore_fill.h"
 #include "drill_rig_sim/model/guides.h"
 #include "drill_rig_sim/scene/scene_mesh.h"
 #include "drill_rig_sim/well/directions.h"

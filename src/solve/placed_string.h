@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "drill_rig_sim/model/model.h"
+#include "drill_rig_sim/model/state.h"
 
 namespace drill_rig_sim
 {
