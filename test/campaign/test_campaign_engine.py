@@ -251,8 +251,9 @@ class Campaigns(unittest.TestCase):
 
     def test_a_run_that_kills_its_workers_is_a_row(self):
         text = PLAN.replace("values: [\"\", error]", "values: [\"\", kill_worker]").replace("values: [0.2, -1.0, 0.3]", "values: [0.2]").replace("runs: 12", "runs: 2")
-        # two deaths instead of Dask's four blame a run
-        status, out, told = self.run_to_its_end(self.plan(text=text), "--workers", "1", env=dict(os.environ, DASK_DISTRIBUTED__SCHEDULER__ALLOWED_FAILURES="1"))
+        # two deaths instead of Dask's four blame a run; a worker that is not back at once must not be given up
+        told_to_dask = {"DASK_DISTRIBUTED__SCHEDULER__ALLOWED_FAILURES": "1", "DASK_DISTRIBUTED__DEPLOY__LOST_WORKER_TIMEOUT": "10ms"}
+        status, out, told = self.run_to_its_end(self.plan(text=text), "--workers", "1", env=dict(os.environ, **told_to_dask))
         self.assertEqual(1, status, told)
         self.assertIn("1 died, 1 good", out)
 

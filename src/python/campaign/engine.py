@@ -20,6 +20,7 @@ from drill_rig_sim.campaign.runner import DIED, Runner
 PLUGIN = "drill_campaign"
 PAGE = "127.0.0.1:0"  # Dask's own page, only for this machine; it needs bokeh
 AHEAD = 3  # tasks that wait beside each that is done: a worker is never idle, and the scheduler's memory stays small
+FOR_GOOD = "365 days"  # of a wait
 LOGGED = 1000  # entries of Dask's logs, which are not read here and grow by kilobytes a run
 AT_ONCE, MOST_AT_ONCE = 0.2, 20  # so long runs last that go in one task [s], and how many they are at most
 
@@ -62,6 +63,8 @@ def connect(scheduler=None, slurm=0, workers=0):
     """A client and what is to be closed after it. Without arguments: as many processes on this machine as it has cores for us."""
     dask.config.set({"distributed.worker.daemon": False, "distributed.comm.timeouts.connect": "20s", "distributed.admin.log-format": "%(levelname)s %(message)s",
                      **dict.fromkeys(keys_of_logs(), LOGGED),
+                     # a dead worker is started again by its nanny; the cluster would close that nanny if 15 s after one death another worker was just starting
+                     "distributed.deploy.lost-worker-timeout": FOR_GOOD,
                      "distributed.nanny.pre-spawn-environ.DASK_LOGGING__DISTRIBUTED": "critical"})  # what older workers left behind is no news
     if scheduler is not None:
         return client_of(address_checked(scheduler)), []
