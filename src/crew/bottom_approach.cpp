@@ -5,14 +5,12 @@
 #include <cmath>
 
 #include "drill_rig_sim/crew/operations.h"
-#include "drill_rig_sim/rig/hoisting.h"
 
 namespace drill_rig_sim
 {
 namespace
 {
-constexpr double at_bottom = 0.002;                      // a bit that is less above bottom by the readings is there [m]
-constexpr double turns_round = 2.0 * sheave_presliding;  // the friction of the sheaves, over this way [m]
+constexpr double at_bottom = 0.002;  // a bit that is less above bottom by the readings is there [m]
 }  // namespace
 
 void BottomApproach::begin(const Readings& now, const HookedString& string, double weight, double speed, bool zeroes,
@@ -26,7 +24,7 @@ void BottomApproach::begin(const Readings& now, const HookedString& string, doub
   slow_ = std::min({speed, fastest, weight / (string.stiffness * WeightFeed::feed_time)});
   gentle_ = inertia * weight / string.mass;
   bottom_ = now.hole_depth;
-  room_ = std::max(0.5 * slow_ * slow_time, 2.0 * turns_round);
+  room_ = std::max(0.5 * slow_ * slow_time, 2.0 * SteadyLoad::turns_round);
   over_ = !zeroes && bottom_ - now.bit_depth < at_bottom;
   begin_to_lower(now);
   settled_ = heaves;
@@ -37,9 +35,8 @@ void BottomApproach::begin(const Readings& now, const HookedString& string, doub
 void BottomApproach::begin_to_lower(const Readings& now) noexcept
 {
   lifts_ = settled_ = false;
-  lowers_from_ = now.block_height;
-  fast_load_ = slow_load_ = now.hook_load;
-  steady_for_ = speed_ = mean_weight_ = 0.0;
+  load_.begin(now.hook_load, now.block_height);
+  speed_ = mean_weight_ = 0.0;
 }
 
 void BottomApproach::lift(const Readings& now) noexcept
@@ -50,24 +47,13 @@ void BottomApproach::lift(const Readings& now) noexcept
   room_ *= 2.0;  // of the next time
 }
 
-/// Whether the load of the string that is lowered has come to rest once.
-void BottomApproach::follow_load(const Readings& now, double duration) noexcept
-{
-  lowers_from_ = std::max(lowers_from_, now.block_height);
-  fast_load_ += duration / (trend_time + duration) * (now.hook_load - fast_load_);
-  slow_load_ += duration / (2.0 * trend_time + duration) * (now.hook_load - slow_load_);
-  const bool turned = lowers_from_ - now.block_height >= turns_round;
-  const bool is_steady = turned && std::abs(fast_load_ - slow_load_) <= steady * wanted_;
-  steady_for_ = is_steady ? steady_for_ + duration : 0.0;
-  settled_ = settled_ || steady_for_ >= steady_time;
-}
-
 bool BottomApproach::goes_on(const Readings& now, double duration) noexcept
 {
   if (over_) return false;
   if (lifts_) return true;
   if (now.bit_depth > bottom_ + slow_ * beyond_time) over_ = true;
-  follow_load(now, duration);
+  load_.take(now.hook_load, now.block_height, duration, steady * wanted_);
+  settled_ = settled_ || load_.is_steady();
   const double weight = now.mean_surface_wob;
   mean_weight_ += std::min(1.0, duration / felt_time) * ((settled_ ? weight : 0.0) - mean_weight_);
   const bool is_felt = mean_weight_ >= felt * wanted_ || (weight >= 0.5 * wanted_ && (settled_ || (zeroes_ && is_near(now))));

@@ -16,8 +16,6 @@ namespace drill_rig_sim
 namespace
 {
 constexpr double arrived = 0.01;  // from where a trip ends [m]
-constexpr double tags_from =
-    0.05;  // above bottom, a rig without waves: on the way the friction of sheaves and rail turns round [m]
 
 /// 1 once `value` has come from `from` to `to`.
 double share(double value, double from, double to) noexcept
@@ -31,7 +29,8 @@ HookedString string_of(const Scene& scene)
 {
   const double height = scene.start.block_height;
   const HungString hung(build_mesh(scene, scene.start.bit_depth + height), scene.rig.hoisting, height);
-  return {1.0 / (1.0 / hung.stiffness + 1.0 / hung.lines), hung.mass + scene.rig.hoisting.block_mass};
+  return {1.0 / (1.0 / hung.stiffness + 1.0 / hung.lines), hung.mass + scene.rig.hoisting.block_mass,
+          ZeroMean::mean_time(hung.ring_period(scene.rig.hoisting.block_mass))};
 }
 
 /// Whether an operation raises the block, that began with the bit at a depth [m MD].
@@ -71,7 +70,7 @@ double WeightFeed::velocity(double weight, double wanted, double stiffness, doub
 OperationsPlayer::OperationsPlayer(const Scene& scene)
     : operations_(scene.operations),
       acceleration_(scene.rig.hoisting.max_acceleration),
-      tag_settles_(tag_settles + scene.rig.heave.wave_period()),
+      wave_period_(scene.rig.heave.wave_period()),
       began_(operations_.size() + 1, Operation::unset),
       watch_(scene)
 {
@@ -146,7 +145,7 @@ void OperationsPlayer::begin(RigControls& rig) noexcept
   approach_ = BottomApproach();
   watch_.begin(now.time);
   legs_ = 0;
-  settled_ = crew_came_ = false;
+  crew_came_ = false;
   const TopDriveSetpoint drive = rig.asked().top_drive;
   if (o.kind == OperationKind::flow) ramp_ = {rig.asked().pump.flow, o.flow, now.time, o.ramp, true};
   if (o.kind == OperationKind::rotate)
@@ -158,7 +157,7 @@ void OperationsPlayer::begin(RigControls& rig) noexcept
   {
     const bool zeroed = is_set(o.weight) && rig.tare();  // on bottom it keeps the zero it had
     if (o.kind == OperationKind::tag) begin_tag(rig, zeroed);
-    rig.command(WinchSetpoint{lifts_ ? o.speed : -o.speed, false});
+    if (o.kind == OperationKind::slack_off) rig.command(WinchSetpoint{-o.speed, false});
   }
   const bool by_weight = traits_of(o.kind).drills;
   zeroes_ = by_weight && !now.tared;
@@ -173,13 +172,14 @@ void OperationsPlayer::begin(RigControls& rig) noexcept
   }
 }
 
-/// A bit that hangs less than tags_from above bottom is lifted first.
 void OperationsPlayer::begin_tag(RigControls& rig, bool zeroed) noexcept
 {
+  const Operation& o = operations_[next_];
   const Readings& now = rig.readings();
-  may_lift_ = zeroed && rig.scene().rig.heave.amplitude == 0.0;
-  lifts_ = may_lift_ && now.hole_depth - now.bit_depth < tags_from;
-  lift_to_ = now.block_height + tags_from - (now.hole_depth - now.bit_depth);
+  const bool heaves = wave_period_ > 0.0;
+  const TagTask task{o.speed, is_set(o.weight) ? o.weight : 0.0, string_.mean_time, heaves ? tag_settles + wave_period_ : 0.0,
+                     zeroed && !heaves};
+  tag_.begin(now, task);
   if (!zeroed && !now.tared) trouble_ = OperationTrouble::tag_on_bottom;
 }
 
@@ -255,35 +255,16 @@ void OperationsPlayer::follow_strokes(RigControls& rig) noexcept
 
 void OperationsPlayer::follow_tag(RigControls& rig) noexcept
 {
-  const Operation& o = operations_[next_];
   const Readings& now = rig.readings();
-  if (lifts_)
-  {
-    if (now.block_height + rise(now) < lift_to_ && !now.stop_reached) return;
-    lift_to_ -= tags_from;  // the block swings where it stands
-    lifts_ = waits_for_pressure(now);
-    followed_at_ = now.time;
-    rig.command(WinchSetpoint{lifts_ ? 0.0 : -o.speed, false});
-    if (lifts_) return static_cast<void>(rig.tare());
-  }
-  if (settled_) return;
-  rig.tare();  // refused on bottom: a bit that comes there early keeps the last zero of the moving string
-  lifts_ = comes_too_early(now);
-  lift_to_ = now.block_height + tags_from;
-  if (lifts_) rig.command(WinchSetpoint{o.speed, false});
-  settled_ = now.time >= followed_at_ + tag_settles_ - time_rounding && !waits_for_pressure(now);
+  const bool refused = tag_.zeroes() && !rig.tare();
+  const WinchSetpoint winch{tag_.velocity(now, refused, rise(now), waits_for_pressure(now)), false};
+  if (!(winch == rig.asked().winch)) rig.command(winch);
 }
 
 /// The hook load follows the pressure of the mud: while that changes, so does the zero of the weight.
 bool OperationsPlayer::waits_for_pressure(const Readings& now) const noexcept
 {
-  return !pressure_.is_steady() && now.time < began_[next_] + tag_settles_ + pressure_settles - time_rounding;
-}
-
-/// A tag that has come to bottom by the depth, while the zero still changes.
-bool OperationsPlayer::comes_too_early(const Readings& now) const noexcept
-{
-  return may_lift_ && !settled_ && now.bit_depth >= now.hole_depth && waits_for_pressure(now);
+  return !pressure_.is_steady() && now.time < began_[next_] + tag_settles + wave_period_ + pressure_settles - time_rounding;
 }
 
 /// How far the bit still goes: to a trip's depth; without one as far as the hole [m].
@@ -356,9 +337,7 @@ double OperationsPlayer::progress(const RigControls& rig) const noexcept
   if (is_set(o.time))
     nearest = std::max(nearest, o.time > 0.0 ? share(now.time + time_rounding, began_[next_], began_[next_] + o.time) : 1.0);
   if (is_set(o.overpull)) nearest = std::max(nearest, share(now.hook_load, began_load_, began_load_ + o.overpull));
-  const bool on_its_way =
-      o.kind == OperationKind::tag && (lifts_ || comes_too_early(now) || (!settled_ && now.bit_depth < now.hole_depth));
-  const bool by_weight = o.kind == OperationKind::slack_off || (o.kind == OperationKind::tag && !on_its_way);
+  const bool by_weight = o.kind == OperationKind::slack_off || (o.kind == OperationKind::tag && tag_.counts());
   if (by_weight && is_set(o.weight)) nearest = std::max(nearest, share(now.mean_surface_wob, 0.0, o.weight));
   return nearest;
 }

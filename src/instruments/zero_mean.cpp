@@ -51,7 +51,12 @@ ZeroMean::ZeroMean(double wave_period) : heaves_(wave_period > 0.0), mean_(wave_
 
 void ZeroMean::rings_with(double period) noexcept
 {
-  if (!heaves_) mean_.set_period(period * std::ceil(shortest_mean / period));
+  if (!heaves_) mean_.set_period(mean_time(period));
+}
+
+double ZeroMean::mean_time(double period) noexcept
+{
+  return period * std::ceil(shortest_mean / period);
 }
 
 void ZeroMean::take(double hook_load, const RigSignals& now, bool on_bottom) noexcept

@@ -80,7 +80,7 @@ class LaunchEnd(unittest.TestCase):
                                     ('autodriler', '{}', "parameter ~law is 'autodriler'; allowed: autodriller, slide_steering")):
             printed, _ = self.launched(True, settings, law)
             self.assertIn(line, printed)
-            self.assertNotIn('Traceback', printed)
+            self.assertNotRegex(printed, 'File ".*drill_rig_sim')  # Debian 11's rospy prints a traceback of its own at the end of a process
 
 
 if __name__ == '__main__':

@@ -7,39 +7,21 @@
 
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/sim/run.h"
+#include "operating.h"
 #include "playing.h"
 #include "test_scenes.h"
 
 namespace test_sim_operations
 {
 using namespace drill_rig_sim;
+using namespace operating;
 
 namespace
 {
-Operation operation(OperationKind kind)
-{
-  return default_operation(kind);
-}
-
 Operation wait(double time)
 {
   Operation o = operation(OperationKind::wait);
   o.time = time;
-  return o;
-}
-
-Operation rotate(double speed, double ramp)
-{
-  Operation o = operation(OperationKind::rotate);
-  o.rotary_speed = speed;
-  o.ramp = ramp;
-  return o;
-}
-
-Operation flow(double rate)
-{
-  Operation o = operation(OperationKind::flow);
-  o.flow = rate;
   return o;
 }
 
@@ -51,32 +33,6 @@ Operation move(OperationKind kind, double speed, double distance)
   return o;
 }
 
-/// Drills `distance` [m] with 20 kN.
-Operation drill(double distance)
-{
-  Operation o = operation(OperationKind::drill);
-  o.weight = 20e3;
-  o.speed = 0.02;
-  o.distance = distance;
-  return o;
-}
-
-Scene scene_with(std::vector<Operation> operations, double above = 0.3)
-{
-  Scene scene = drilling_scene(above, 0.0);
-  scene.instruments.hook_load.place =
-      HookLoadPlace::block;  // the dead line's shows another share of the sheaves' friction at another speed
-  scene.operations = std::move(operations);
-  return scene;
-}
-
-/// Plays on until the operation of this number is under way, 0: all are over.
-void play_up_to(int number, Simulator& rig, ScenePlayer& player)
-{
-  for (int k = 0; k < 100000 && (k == 0 || player.operations().status().number != number); ++k)
-    ASSERT_EQ(play_frame(rig, &player, frame), FrameStatus::running) << rig.failure();
-  ASSERT_EQ(player.operations().status().number, number);
-}
 }  // namespace
 
 // Rock that does not give way: W* - W = W* exp(-t/T).
@@ -171,80 +127,6 @@ TEST(Operations, tagDrillAndPickUp)
   EXPECT_TRUE(rig.setpoints().winch.brake);
   play(rig, 1.0);
   EXPECT_NEAR(rig.readings().block_height, block + 3.0, 0.01);
-}
-
-// By the dead line the string weighs more while it is lowered. A bit that comes to bottom before the string moves steadily has
-// that zero too, in place of the one at rest; one that is nearer to bottom than the way over which the sheaves' friction turns
-// round is lifted first.
-TEST(Operations, tagZeroesTheMovingStringHoweverNearTheBottomIs)
-{
-  for (const double above : {0.0, 0.005, 0.015, 0.03, 0.06, 0.15, 0.5})
-  {
-    Operation tag = operation(OperationKind::tag);
-    tag.weight = 10e3;
-    Scene scene = scene_with({tag}, above);
-    scene.instruments.hook_load.place = HookLoadPlace::dead_line;
-    Simulator rig(scene);
-    ScenePlayer player(rig.scene());
-    const double at_rest = rig.readings().hook_load;
-    double free_load = 0.0;
-    for (int k = 0; k < 10000 && !player.finished(); ++k)
-    {
-      ASSERT_EQ(play_frame(rig, &player, frame), FrameStatus::running) << rig.failure();
-      if (!rig.truth().on_bottom) free_load = rig.readings().hook_load;
-    }
-    ASSERT_TRUE(player.finished()) << above;
-    const double zero = rig.readings().surface_wob + rig.readings().hook_load;
-    EXPECT_GT(free_load - at_rest, 10e3) << above << " m: what the sheaves add";
-    EXPECT_NEAR(free_load, zero, 2.5e3) << above;
-  }
-}
-
-TEST(Operations, tagLiftsTheBitThatHangsTooNearTheBottom)
-{
-  Scene scene = scene_with({operation(OperationKind::tag)}, 0.01);
-  Simulator rig(scene);
-  ScenePlayer player(rig.scene());
-  double highest = 0.0;
-  const double began = rig.readings().block_height;
-  for (int k = 0; k < 10000 && !player.finished(); ++k)
-  {
-    ASSERT_EQ(play_frame(rig, &player, frame), FrameStatus::running) << rig.failure();
-    highest = std::max(highest, rig.readings().block_height);
-  }
-  ASSERT_TRUE(player.finished());
-  EXPECT_NEAR(highest - began, 0.04, 0.004);
-  EXPECT_NEAR(rig.readings().surface_wob, rig.truth().wob, 2.5e3) << "rail friction turned back";
-}
-
-// The pumped mud lifts the string, by 16 kN here; its pressure takes half a minute to come.
-TEST(Operations, theWeightIsZeroedAtASteadyPressure)
-{
-  for (const double above : {0.03, 0.3})
-    for (const Operation& first : {operation(OperationKind::tag), drill(0.1)})
-    {
-      Scene scene = vertical_scene(1000.0, 1000.0 - above, 0.25);
-      scene.string = drilling_scene().string;
-      scene.numerics.level = Level::axial_torsional;
-      scene.operations = {rotate(60.0 * rpm, 1.0), flow(0.04), first, drill(0.1)};
-      scene.instruments.hook_load.place = HookLoadPlace::block;
-      Simulator rig(scene);
-      ScenePlayer player(rig.scene());
-      play_up_to(4, rig, player);
-      play_up_to(0, rig, player);
-      EXPECT_NEAR(rig.readings().surface_wob, rig.truth().wob, 2.5e3) << above << " m, " << word_of(first.kind);
-    }
-}
-
-TEST(Operations, tagOnBottomNeedsAZero)
-{
-  Scene scene = scene_with({operation(OperationKind::tag)}, 0.0);
-  scene.start.weight_on_bit = 5e3;
-  Simulator rig(scene);
-  ScenePlayer player(rig.scene());
-  ASSERT_EQ(play_frame(rig, &player, frame), FrameStatus::running) << rig.failure();
-  EXPECT_EQ(player.operations().status().trouble, OperationTrouble::tag_on_bottom);
-  EXPECT_TRUE(rig.asked().winch.brake);
 }
 
 // By the dead line, whose sheaves take a tenth of the load when they turn back: rock that gets hard for a while leaves too much

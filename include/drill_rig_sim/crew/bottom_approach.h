@@ -2,6 +2,7 @@
 #ifndef DRILL_RIG_SIM_CREW_BOTTOM_APPROACH_H
 #define DRILL_RIG_SIM_CREW_BOTTOM_APPROACH_H
 
+#include "drill_rig_sim/crew/steady_load.h"
 #include "drill_rig_sim/instruments/signals.h"
 
 namespace drill_rig_sim
@@ -11,12 +12,14 @@ struct HookedString
 {
   double stiffness = 0.0;  ///< K, axial, of pipe and lines in series [N/m]
   double mass = 0.0;       ///< M, of pipe and block [kg]
+  double mean_time = 0.0;  ///< whole periods in which it rings, for a mean of the hook load [s]
 
   template <class V>
   void visit(V& v)
   {
     v("stiffness", stiffness);
     v("mass", mass);
+    v("mean_time", mean_time);
   }
 };
 
@@ -31,8 +34,7 @@ struct HookedString
 /// - Above it the block accelerates by a = inertia W*/M at most, so that neither the string's inertia nor its ringing is taken
 /// for weight.
 /// - While drag and the friction of the sheaves turn round, the hook load falls as on a bottom. Weight counts once the hook load
-/// of the lowered string was steady: two
-///   first-order lags of it, one twice as slow as the other, agreed within `steady` W* for steady_time. A bit that comes to
+/// of the lowered string was steady (SteadyLoad). A bit that comes to
 ///   bottom before that, and whose weight is to be zeroed, is lifted, each time twice as far, and lowered again, most_lifts times
 ///   at most. On a rig that heaves the load is never steady: weight counts at once there.
 /// The bit is on bottom once a lagged mean of the weight is `felt` W*.
@@ -45,9 +47,7 @@ public:
   static constexpr double felt = 0.2;          ///< of W*: the bit is on bottom [-]
   static constexpr double felt_time = 1.0;     ///< of the lag of that weight [s]
   static constexpr double inertia = 0.1;       ///< M a of W* [-]
-  static constexpr double trend_time = 1.0;    ///< of the faster lag of the hook load [s]
-  static constexpr double steady = 0.05;       ///< of W* [-]
-  static constexpr double steady_time = 3.0;   ///< [s]
+  static constexpr double steady = 0.05;       ///< of W*: of a steady hook load [-]
   static constexpr int most_lifts = 3;
 
   /// From where the bit is: for weight [N], not faster than `speed` [m/s]. `zeroes`: the weight is zeroed all the way down, which
@@ -74,10 +74,7 @@ public:
     v("bottom", bottom_);
     v("room", room_);
     v("lift_to", lift_to_);
-    v("lowers_from", lowers_from_);
-    v("fast_load", fast_load_);
-    v("slow_load", slow_load_);
-    v("steady_for", steady_for_);
+    v("load", load_);
     v("speed", speed_);
     v("mean_weight", mean_weight_);
   }
@@ -87,26 +84,23 @@ public:
 private:
   void begin_to_lower(const Readings& now) noexcept;
   void lift(const Readings& now) noexcept;
-  void follow_load(const Readings& now, double duration) noexcept;
   bool is_near(const Readings& now) const noexcept;
 
   bool over_ = false;  // bottom is reached for good
   bool zeroes_ = false;
   bool lifts_ = false;  // the block goes up, to lift_to_
   int lifts_left_ = 0;
-  bool settled_ = false;                      // the hook load of the lowered string was steady
-  double wanted_ = 0.0;                       // W* [N]
-  double most_ = 0.0;                         // [m/s]
-  double slow_ = 0.0;                         // v [m/s]
-  double gentle_ = 0.0;                       // a [m/s2]
-  double bottom_ = 0.0;                       // depth of the hole at the beginning, by the readings [m]
-  double room_ = 0.0;                         // above bottom, to where it is lifted [m]
-  double lift_to_ = 0.0;                      // height of the block [m]
-  double lowers_from_ = 0.0;                  // the highest it was [m]
-  double fast_load_ = 0.0, slow_load_ = 0.0;  // lags of the hook load [N]
-  double steady_for_ = 0.0;                   // [s]
-  double speed_ = 0.0;                        // down [m/s]
-  double mean_weight_ = 0.0;                  // [N]
+  bool settled_ = false;      // the hook load of the lowered string was steady
+  double wanted_ = 0.0;       // W* [N]
+  double most_ = 0.0;         // [m/s]
+  double slow_ = 0.0;         // v [m/s]
+  double gentle_ = 0.0;       // a [m/s2]
+  double bottom_ = 0.0;       // depth of the hole at the beginning, by the readings [m]
+  double room_ = 0.0;         // above bottom, to where it is lifted [m]
+  double lift_to_ = 0.0;      // height of the block [m]
+  SteadyLoad load_;           // the hook load
+  double speed_ = 0.0;        // down [m/s]
+  double mean_weight_ = 0.0;  // [N]
 };
 
 }  // namespace drill_rig_sim

@@ -10,6 +10,7 @@
 #include "drill_rig_sim/crew/operation_trouble.h"
 #include "drill_rig_sim/crew/program.h"
 #include "drill_rig_sim/crew/pressure_trend.h"
+#include "drill_rig_sim/crew/tag.h"
 #include "drill_rig_sim/scene/scene.h"
 
 namespace drill_rig_sim
@@ -64,13 +65,9 @@ struct WeightFeed
 /// - pick_up and slack_off move the block, ream up and down again to where it began `times`; all are stopped or turned back so
 /// far ahead of their end as
 ///   the winch needs, and end with the brake set.
-/// - tag lowers until the bit takes `weight`; it zeroes the weight (tare) all the while until the string has come to move
-/// steadily, after tag_settles (and a
-///   period of the waves, where the rig heaves) and when the stand-pipe pressure is steady (or after pressure_settles), or the
-///   bit is on bottom, and counts weight from then on. Begun off bottom, but less than 5 cm, it lifts the block first: over the
-///   first 2 cm of its way down the friction of sheaves and rail turns round. A bit that comes to bottom before the pressure is
-///   steady is lifted by 5 cm and waits there. slack_off with a `weight` zeroes it at its
-///   beginning.
+/// - tag lowers until the bit takes `weight`, with a zero of its own (Tag); it waits for a steady pressure for tag_settles and
+/// pressure_settles at most. On a rig that heaves it takes tag_settles and a period of the waves at least. slack_off with a
+/// `weight` zeroes it at its beginning.
 /// - drill brings the bit to bottom (BottomApproach), keeps `weight` by the block (WeightFeed), and ends with the brake set.
 /// Without a zero of the weight it
 ///   waits for a steady pressure and zeroes all the way down.
@@ -122,10 +119,7 @@ public:
     v("followed_at", followed_at_);
     v("legs", legs_);
     v("crew_came", crew_came_);
-    v("settled", settled_);
-    v("may_lift", may_lift_);
-    v("lifts", lifts_);
-    v("lift_to", lift_to_);
+    v("tag", tag_);
     v("angle", angle_);
     v("turned_at", turned_at_);
     v("toolface_seen", toolface_seen_);
@@ -146,7 +140,6 @@ private:
   void follow_strokes(RigControls& rig) noexcept;
   void follow_tag(RigControls& rig) noexcept;
   bool waits_for_pressure(const Readings& now) const noexcept;
-  bool comes_too_early(const Readings& now) const noexcept;
   void follow_trip(RigControls& rig) noexcept;
   void follow_toolface(RigControls& rig) noexcept;
   void end(RigControls& rig) const noexcept;
@@ -157,7 +150,7 @@ private:
 
   std::vector<Operation> operations_;
   double acceleration_;  // of the winch [m/s2]
-  double tag_settles_;   // tag_settles, and a period of the waves over which weight is a mean [s]
+  double wave_period_;   // of a rig that heaves, over which weight is a mean [s]; else 0
   HookedString string_;  // when the operations were given
   std::size_t next_ = 0;
   std::vector<double> began_;
@@ -173,12 +166,9 @@ private:
   double followed_at_ = 0.0;  // [s]
   int legs_ = 0;              // of ream, that are over
   bool crew_came_ = false;    // has been at work since it began
-  bool settled_ = false;      // tag moves steadily
-  bool may_lift_ = false;     // tag has begun off bottom, on a rig that does not heave
-  bool lifts_ = false;        // tag is too near the bottom, and lifts the block first,
-  double lift_to_ = 0.0;      // to this height [m]
-  double angle_ = 0.0;        // of the drive that slide has asked for [rad]
-  double turned_at_ = 0.0;    // when it did [s]
+  Tag tag_;
+  double angle_ = 0.0;      // of the drive that slide has asked for [rad]
+  double turned_at_ = 0.0;  // when it did [s]
   std::uint64_t toolface_seen_ = 0;
   double progress_ = 0.0;
 };

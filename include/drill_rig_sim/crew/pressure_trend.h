@@ -8,7 +8,7 @@ namespace drill_rig_sim
 /// pressures change the hook load, so that a zero of the weight waits for it.
 struct PressureTrend
 {
-  static constexpr double fast = 1.0, slow = 2.0;           ///< time constants [s]
+  static constexpr double fast = 2.0, slow = 4.0;           ///< time constants [s]
   static constexpr double share = 0.004, resolution = 2e4;  ///< they agree within the larger of these [-], [Pa]
   double fast_mean = 0.0, slow_mean = 0.0;                  ///< [Pa]
   double at = 0.0;                                          ///< when the last was taken [s]

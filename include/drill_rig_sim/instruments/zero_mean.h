@@ -33,6 +33,9 @@ class ZeroMean
 public:
   static constexpr double shortest_mean = 2.0;  ///< [s]
 
+  /// How long a mean is, of a string that rings with a period [s]: [s].
+  static double mean_time(double period) noexcept;
+
   ZeroMean() = default;
   /// `wave_period` [s]: 0 on a rig that does not heave; the mean's length comes with rings_with() then.
   explicit ZeroMean(double wave_period);
