@@ -13,7 +13,10 @@ int node_main(int argc, char** argv)
 {
   init_roscpp(argc, argv, "rig_simulator");
   end_on_signals();
-  start_roscpp();
+  {
+    const SignalHold until_it_has_started;
+    start_roscpp();
+  }
   try
   {
     RigNode node;

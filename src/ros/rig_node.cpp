@@ -47,6 +47,7 @@ RigNode::RigNode()
       spinner_(1),
       service_spinner_(2, &service_queue_)
 {
+  registering_.release();
   const std::string problem = try_realtime(parameters_.realtime);
   if (!problem.empty()) throw ParameterError("parameter ~" + problem);
   leave_core(parameters_.realtime.core);

@@ -4,6 +4,7 @@
 #include <ros/ros.h>
 #include <signal.h>
 
+#include <atomic>
 #include <chrono>
 #include <cstdlib>
 #include <thread>
@@ -23,10 +24,14 @@ Semaphore& asked_to_end()
   return *semaphore;
 }
 
-// Both calls are safe in a signal handler: a flag is set, a semaphore posted.
+std::atomic<int> holds{0};
+std::atomic<bool> has_come{false};
+
+// All of it is safe in a signal handler: flags are set, a semaphore posted.
 void handle(int)
 {
-  ros::requestShutdown();
+  has_come = true;
+  if (holds == 0) ros::requestShutdown();
   asked_to_end().post();
 }
 }  // namespace
@@ -45,6 +50,18 @@ void end_on_signals()
   struct sigaction action = {};
   action.sa_handler = handle;
   for (const int signal : {SIGINT, SIGTERM}) sigaction(signal, &action, nullptr);
+}
+
+SignalHold::SignalHold() noexcept
+{
+  ++holds;
+}
+
+void SignalHold::release() noexcept
+{
+  if (!holds_) return;
+  holds_ = false;
+  if (--holds == 0 && has_come) ros::requestShutdown();
 }
 
 }  // namespace drill_rig_sim

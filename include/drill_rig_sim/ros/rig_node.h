@@ -14,6 +14,7 @@
 #include "drill_rig_sim/ros/parameters.h"
 #include "drill_rig_sim/ros/publishing_thread.h"
 #include "drill_rig_sim/ros/services.h"
+#include "drill_rig_sim/ros/signals.h"
 #include "drill_rig_sim/ros/simulation_loop.h"
 
 namespace drill_rig_sim
@@ -42,6 +43,7 @@ private:
   Mailbox mailbox_;
   FrameRing ring_;
   SimulationLoop loop_;
+  SignalHold registering_;  // until all below is on the master
   OperationsAction operations_;
   ClockWatch clock_;
   FollowerWatch followers_;

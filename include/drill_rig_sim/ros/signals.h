@@ -9,6 +9,22 @@ namespace drill_rig_sim
 /// all the same: nothing is left to be written. Call once, after ros::init() with NoSigintHandler.
 void end_on_signals();
 
+/// While one lives, a signal to end waits. roscpp registers publishers and services on the master outside its locks: one that is
+/// registered while it shuts down would stay on the master.
+class SignalHold
+{
+public:
+  SignalHold() noexcept;
+  SignalHold(const SignalHold&) = delete;
+  SignalHold& operator=(const SignalHold&) = delete;
+  ~SignalHold() { release(); }
+  /// Ends it; a signal that has come meanwhile ends the node now.
+  void release() noexcept;
+
+private:
+  bool holds_ = true;
+};
+
 }  // namespace drill_rig_sim
 
 #endif
