@@ -6,6 +6,7 @@ from drill_rig_sim.field.cells import is_blank, is_foreign_number, is_number
 from drill_rig_sim.field.column_finder import columns_of, form_of_header, zones_in
 from drill_rig_sim.field.converted_nulls import leave_out_converted_nulls
 from drill_rig_sim.field.dates import elapsed_of, fitting, form_in, forms_for, joined, number_as_time, offset_of, own_offset, seconds_of, zone_said
+from drill_rig_sim.field.negative_nulls import leave_out_negative_nulls
 from drill_rig_sim.field.quality import take_flags
 from drill_rig_sim.field.signals import SIGNALS, si_unit, word
 from drill_rig_sim.field.table import RecordError
@@ -233,6 +234,7 @@ def values_of(table, signal, column, nulls, mapped, remarks):
     raw = numbers_or_refuse(table, name, [row[place] for row in table.rows], (*NULLS, *table.nulls[place], *nulls, *column.nulls), "a number", remarks)
     leave_out_likely_nulls(table, name, raw, remarks)
     leave_out_converted_nulls(table, signal, name, unit, place, raw, factor, remarks)
+    leave_out_negative_nulls(table, signal, name, raw, remarks)
     values = in_range(table, signal, name, unit, raw, factor, remarks)
     if signal in NEVER_ZERO:
         leave_out_drop_outs(table, name, values, remarks)
