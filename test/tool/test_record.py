@@ -142,6 +142,14 @@ class Values(Folder):
                 self.assertLess(numpy.nanmin(record.signals[signal]), 0.0)
                 self.assertNotIn("below all others", "\n".join(record.remarks))
 
+    def test_minus_signs(self):
+        """As typesetters write them: the minus sign and the en dash."""
+        for sign in "-\u2212\u2013":
+            for text in ("Time (s),HKLD (klbf),TQ (kft.lbf)\n0,200,%s0.25\n5,201.5,1.5\n", "Time (s);HKLD (klbf);TQ (kft.lbf)\n0;200;%s0,25\n5;201,5;1,5\n"):
+                record = self.read(text % sign)
+                numpy.testing.assert_allclose(record.signals["torque"], [-0.25 * KLBF * FEET, 1.5 * KLBF * FEET])
+                self.assertNotIn("hold text", "\n".join(record.remarks))
+
     def test_a_unit_that_is_wrong(self):
         """Most values out of range: refused, for the unit must be wrong."""
         self.refused(["hook_load", "4 of 4 values", "is the unit right?"], table(), MAP.replace("klbf", "MN"))

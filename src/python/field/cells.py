@@ -10,6 +10,7 @@ SPACED = re.compile(r"[+-]?[1-9]\d{0,2}([%s]\d{3})+([.,]\d*)?$" % BLANKS)  # 1 2
 GROUPED = {".": re.compile(r"[+-]?[1-9]\d{0,2}(,\d{3})+(\.\d*)?$"), ",": re.compile(r"[+-]?[1-9]\d{0,2}(\.\d{3})+(,\d*)?$")}  # by the decimal sign
 BOTH_SIGNS = {".": re.compile(r"[+-]?[1-9]\d{0,2}(,\d{3})+\.\d*$|[+-]?[1-9]\d{0,2}(,\d{3}){2,}$"), ",": re.compile(r"[+-]?[1-9]\d{0,2}(\.\d{3})+,\d*$")}
 COMMA = re.compile(r"[+-]?\d*,\d+([eE][+-]?\d+)?$")
+MINUS = re.compile(r"^\s*[\u2212\u2013](?=[\d.,])")  # as typesetters write it: U+2212, U+2013
 FOREIGN = re.compile(r"[+-]?\d[\d.,%s]*([eE][+-]?\d+)?$" % BLANKS)
 
 
@@ -33,6 +34,8 @@ def is_foreign_number(cell):
 
 def with_point(cell, decimal=None):
     """A number as Python reads it, any other text as it is. `decimal`: the sign of the table's numbers, None: not known, commas stay as they are."""
+    if not cell.isascii():
+        cell = MINUS.sub("-", cell)
     if decimal is None and not SIGNS_OF_GROUPS.search(cell):
         return cell
     text = without_blanks(cell).strip()
