@@ -63,6 +63,19 @@ class Weights(Folder):
             with self.subTest(names), self.assertRaises((RecordError, PlanError)):
                 self.weights(names + "\n" + rows, "{file: t.csv}")
 
+    def test_weights_that_are_not_recognised(self):
+        """Up and Down are; other columns of forces are reported where the pick-up or slack-off weight is missing."""
+        depths, found, remarks = self.weights(PLAIN.replace("MD,PU,SO\n", "Depth,Up,Down\nm,klbf,klbf\n"), "{file: t.csv}")
+        self.assertEqual((len(ROWS), ["pick_up", "slack_off"]), (len(depths), list(found)))
+        self.assertNotIn("no column is recognised", "\n".join(remarks))
+        rows = "".join("%g,%g,%g,%g\n" % (*row, 0.5 * (row[1] + row[2])) for row in ROWS)
+        for names, said in (("MD (m),Hoist (klbf),Lower (klbf),ROT (klbf)", "no column is recognised as pick_up and slack_off; pick_up: {column: NAME} in the fit's file can name it: Hoist (klbf), Lower (klbf)"),
+                            ("MD (m),PU (klbf),Lower (klbf),ROT (klbf)", "no column is recognised as slack_off; slack_off: {column: NAME} in the fit's file can name it: Lower (klbf)"),
+                            ("MD (m),PU (klbf),SO (klbf),WOB (klbf)", ""), ("MD (m),PU (klbf),SO model (klbf),ROT (klbf)", "")):
+            with self.subTest(names):
+                remarks = [line.partition(".csv: ")[2] for line in self.weights(names + "\n" + rows, "{file: t.csv}")[2] if "recognised" in line]
+                self.assertEqual([said] if said else [], remarks)
+
     def test_errors_of_weights_that_drill_weights_has_found(self):
         self.file("t.csv", "motion,rows,deviation (N),depth (m),pick_up (N),slack_off (N)\npick_up,8,1000,900,400e3,\nslack_off,2,3000,890,,350e3\n")
         fit = plan_of(self.file("f.yaml", "{file: t.csv}"))

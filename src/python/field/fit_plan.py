@@ -184,7 +184,15 @@ def known_columns(table):
         if what in found:
             raise RecordError("%s: several columns are %s: %s, %s; needed: one, or %s: {column: NAME} in the fit's file" % (table.file, what, found[what].names[0], name, what))
         found[what] = Column([name])
+    table.remarks += not_recognised(table, found)
     return found
+
+
+def not_recognised(table, found):
+    """A line on other columns of forces where the pick-up or the slack-off weight is missing: without one of them, little determines friction."""
+    missing = [name for name in ("pick_up", "slack_off") if name not in found]
+    left = [name for place, name in enumerate(table.names) if called(name) is None and is_unit(table.units[place] or "", "force") and not words_in(name) & NOT_MEASURED]
+    return ["no column is recognised as %s; %s: {column: NAME} in the fit's file can name it: %s" % (" and ".join(missing), missing[0], ", ".join(left))] if missing and left else []
 
 
 def known_ways(table):

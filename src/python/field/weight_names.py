@@ -7,9 +7,9 @@ from drill_rig_sim.field.table import bare
 # the torque, of which a few numbers say little, has to be named
 NAMES = {
     "depth": "md bit_depth measured_depth bit_md depth_md",
-    "pick_up": "pu pickup_weight pick_up_weight pu_weight pu_wt pickup_wt pick_up_wt up_weight upweight hook_load_up hookload_up hook_load_pick_up hookload_pick_up puw",
+    "pick_up": "pu pickup_weight pick_up_weight pu_weight pu_wt pickup_wt pick_up_wt up_weight upweight hook_load_up hookload_up hook_load_pick_up hookload_pick_up puw up",
     "slack_off": "so slackoff_weight slack_off_weight so_weight so_wt slackoff_wt slack_off_wt down_weight downweight hook_load_down hookload_down hook_load_slack_off "
-                 "hookload_slack_off sow",
+                 "hookload_slack_off sow down",
     "rotating": "rot rotating_weight rot_weight rot_wt rotating_wt rotating_off_bottom free_rotating free_rotating_weight rob hook_load_rotating hookload_rotating rotw",
 }
 BY_WORD = {word(name): what for what, names in NAMES.items() for name in names.split()}
