@@ -131,16 +131,18 @@ class Values(Folder):
             cells = [low + k if k not in (3, 4) else lost for k in range(8)]
             return "Time (s),%s,BPOS (ft)\n" % name + "".join("%d,%g,%g\n" % (k, value * cell if cell is not lost else lost, 30.0 - 0.1 * k) for k, cell in enumerate(cells))
         for name, signal, value, lost in (("HKLD (klbf)", "hook_load", 1.0, -99.99), ("HKLD (klbf)", "hook_load", 1.0, -1.0), ("RPM (rpm)", "top_drive_speed", 0.5, -99.99), ("FLOWIN (gpm)", "flow", 2.0, -99.99),
-                                          ("SPP (psi)", "stand_pipe_pressure", 1.0, -99.9), ("TQ (kft.lbf)", "torque", 0.1, -9.99), ("BITDEP (m)", "bit_depth", 10.0, -1.0)):
+                                          ("SPP (psi)", "stand_pipe_pressure", 1.0, -99.9), ("FLOWIN (gpm)", "flow", 2.0, -100.0),
+                                          ("TQ (kft.lbf)", "torque", 0.1, -32.768), ("TQ (kft.lbf)", "torque", 0.1, -9.99), ("BITDEP (m)", "bit_depth", 10.0, -1.0)):
             with self.subTest(name=name, lost=lost):
                 record = self.read(rows(name, value, lost))
                 self.assertIn("%s: 2 values of %g, below all others, are treated as null values (first: %s:5)" % (name, lost, os.path.join(self.folder, "r.csv")), "\n".join(record.remarks))
                 self.assertGreater(numpy.nanmin(record.signals[signal]), 0.0)
-        for name, signal, lost, low in (("RPM (rpm)", "top_drive_speed", -20.0, 0.0), ("TQ (kft.lbf)", "torque", -1.0, 0.0), ("HKLD (klbf)", "hook_load", -1.0, 0.0), ("SPP (psi)", "stand_pipe_pressure", -0.5, 0.0)):
+        for name, signal, lost, low in (("RPM (rpm)", "top_drive_speed", -20.0, 0.0), ("FLOWIN (gpm)", "flow", -2.0, 0.0), ("TQ (kft.lbf)", "torque", -1.0, 0.0), ("HKLD (klbf)", "hook_load", -1.0, 0.0), ("SPP (psi)", "stand_pipe_pressure", -0.5, 0.0)):
             with self.subTest(name=name, kept=lost):
                 record = self.read(rows(name, 10.0, lost, low))
                 self.assertLess(numpy.nanmin(record.signals[signal]), 0.0)
                 self.assertNotIn("below all others", "\n".join(record.remarks))
+        self.assertNotIn("below all others", "\n".join(self.read(rows("SPP (psi)", 0.1, -3.0)).remarks), "pumps that stand")
 
     def test_minus_signs(self):
         """As typesetters write them: the minus sign and the en dash."""

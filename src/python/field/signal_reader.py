@@ -234,7 +234,7 @@ def values_of(table, signal, column, nulls, mapped, remarks):
     raw = numbers_or_refuse(table, name, [row[place] for row in table.rows], (*NULLS, *table.nulls[place], *nulls, *column.nulls), "a number", remarks)
     leave_out_likely_nulls(table, name, raw, remarks)
     leave_out_converted_nulls(table, signal, name, unit, place, raw, factor, remarks)
-    leave_out_negative_nulls(table, signal, name, raw, remarks)
+    leave_out_negative_nulls(table, signal, name, raw, factor, remarks)
     values = in_range(table, signal, name, unit, raw, factor, remarks)
     if signal in NEVER_ZERO:
         leave_out_drop_outs(table, name, values, remarks)
