@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drill_rig_sim/ros/mailbox.h"
 
+#include "drill_rig_sim/ros/signals.h"
+
 namespace drill_rig_sim
 {
 template <class Command>
@@ -16,6 +18,7 @@ ros::Subscriber Mailbox::subscribe(ros::NodeHandle& node, const std::string& top
                                                           receive(*event.getConstMessage());
                                                         });
   options.transport_hints = ros::TransportHints().tcpNoDelay();
+  const SignalHold until_it_is_on_the_master;
   return node.subscribe(options);
 }
 

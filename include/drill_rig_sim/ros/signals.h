@@ -9,8 +9,8 @@ namespace drill_rig_sim
 /// all the same: nothing is left to be written. Call once, after ros::init() with NoSigintHandler.
 void end_on_signals();
 
-/// While one lives, a signal to end waits. roscpp registers publishers and services on the master outside its locks: one that is
-/// registered while it shuts down would stay on the master.
+/// While one lives, a signal to end waits. What roscpp registers on the master while it shuts down may stay
+/// there.
 class SignalHold
 {
 public:
