@@ -8,16 +8,14 @@ namespace drill_rig_sim
 {
 void PressureTrend::take(double pressure, double time) noexcept
 {
-  if (!begun) *this = {pressure, pressure, time, true};
-  const double duration = time - at;
+  if (!begun) *this = {{pressure, pressure}, time, true};
+  lags.take(pressure, time - at, trend_time);
   at = time;
-  fast_mean += duration / (fast + duration) * (pressure - fast_mean);
-  slow_mean += duration / (slow + duration) * (pressure - slow_mean);
 }
 
 bool PressureTrend::is_steady() const noexcept
 {
-  return std::abs(fast_mean - slow_mean) <= std::max(share * std::abs(slow_mean), resolution);
+  return lags.apart() <= std::max(share * std::abs(lags.slow), resolution);
 }
 
 }  // namespace drill_rig_sim

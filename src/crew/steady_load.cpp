@@ -2,7 +2,6 @@
 #include "drill_rig_sim/crew/steady_load.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace drill_rig_sim
 {
@@ -15,7 +14,7 @@ void SteadyLoad::begin(double load, double block_height) noexcept
 
 void SteadyLoad::restart(double load) noexcept
 {
-  fast_load_ = slow_load_ = load;
+  lags_ = {load, load};
   steady_for_ = 0.0;
 }
 
@@ -24,9 +23,8 @@ void SteadyLoad::take(double load, double block_height, double duration, double 
   lowers_from_ = std::max(lowers_from_, block_height);
   if (!has_turned_) restart(load);
   has_turned_ = lowers_from_ - block_height >= turns_round;
-  fast_load_ += duration / (trend_time + duration) * (load - fast_load_);
-  slow_load_ += duration / (2.0 * trend_time + duration) * (load - slow_load_);
-  const bool agree = has_turned_ && std::abs(fast_load_ - slow_load_) <= within;
+  lags_.take(load, duration, trend_time);
+  const bool agree = has_turned_ && lags_.apart() <= within;
   steady_for_ = agree ? steady_for_ + duration : 0.0;
 }
 

@@ -48,8 +48,11 @@ void Tag::follow_load(const Readings& now, bool refused, bool waits) noexcept
   mean_.take(now.hook_load, now.time);
   const double load = mean_.mean(), within = std::max(steady * task_.weight, resolution * std::abs(load));
   load_.take(load, now.block_height, now.time - followed_at_, within);
-  if (!load_.has_turned()) turned_at_ = now.time;
-  if (!load_.has_turned()) mean_.restart();
+  if (!load_.has_turned())
+  {
+    turned_at_ = now.time;
+    mean_.restart();
+  }
   if (now.time < turned_at_ + task_.mean_time) load_.restart(load);  // the mean is not over whole periods yet
   const bool has_settled = now.time >= lowers_since_ + task_.settles - time_rounding;
   renews_ = task_.may_lift && load_.is_steady();
@@ -57,7 +60,11 @@ void Tag::follow_load(const Readings& now, bool refused, bool waits) noexcept
   if (now.bit_depth < now.hole_depth && !(refused && has_settled)) return;
   phase_ = Phase::weighs;
   if (has_zero_ || !task_.may_lift || (!waits && lifts_left_ == 0)) return;
-  if (!waits) --lifts_left_, room_ *= 2.0;
+  if (!waits)
+  {
+    --lifts_left_;
+    room_ *= 2.0;
+  }
   lift(now);
 }
 

@@ -2,19 +2,19 @@
 #ifndef DRILL_RIG_SIM_CREW_STEADY_LOAD_H
 #define DRILL_RIG_SIM_CREW_STEADY_LOAD_H
 
+#include "drill_rig_sim/crew/lag_pair.h"
 #include "drill_rig_sim/rig/hoisting.h"
 
 namespace drill_rig_sim
 {
 /// Tells when the load of a string that is lowered has come to rest, once drag and the friction of the sheaves have turned round.
-/// It is steady while two first-order lags of it, one twice as slow as the other, agree, after the block has come down by the way
-/// over which the sheaves' friction turns round.
+/// It is steady while a pair of lags of it agrees, after the block has come down by the way over which the sheaves' friction
+/// turns round.
 class SteadyLoad
 {
 public:
-  static constexpr double trend_time = 1.0;   ///< of the faster lag [s]
-  static constexpr double steady = 0.05;      ///< of the weight that is wanted on the bit: how near the lags must be [-]
-  static constexpr double steady_time = 3.0;  ///< how long they must be so near [s]
+  static constexpr double trend_time = 1.0;                       ///< of the faster lag [s]
+  static constexpr double steady_time = 3.0;                      ///< how long they must agree [s]
   static constexpr double turns_round = 2.0 * sheave_presliding;  ///< way of the block [m]
 
   /// Anew, from a load [N] with the block at a height [m].
@@ -32,15 +32,14 @@ public:
   void visit(V& v)
   {
     v("lowers_from", lowers_from_);
-    v("fast_load", fast_load_);
-    v("slow_load", slow_load_);
+    v("lags", lags_);
     v("has_turned", has_turned_);
     v("steady_for", steady_for_);
   }
 
 private:
-  double lowers_from_ = 0.0;                  // the highest the block was [m]
-  double fast_load_ = 0.0, slow_load_ = 0.0;  // lags [N]
+  double lowers_from_ = 0.0;  // the highest the block was [m]
+  LagPair lags_;              // [N]
   bool has_turned_ = false;
   double steady_for_ = 0.0;  // [s]
 };
