@@ -121,7 +121,7 @@ private:
   std::string cell(const Cells& cells, std::size_t quantity) const
   {
     const auto place = table_.header.place[quantity];
-    return place && *place < cells.size() ? cells[*place] : std::string();
+    return place && *place < cells.size() ? with_hyphen(cells[*place]) : std::string();
   }
 
   // whether a line is a station, perhaps with something wrong in it

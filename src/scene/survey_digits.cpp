@@ -63,21 +63,32 @@ CellPlace first_sure(const SurveyRows& survey, const Style& style)
   return {};
 }
 
-// whole lengths in groups, 1,234, beside numbers with decimal points; no angle has four digits
-CellPlace first_whole(const SurveyRows& survey)
+bool is_whole(const std::string& cell)
+{
+  return cell.find_first_not_of("0123456789") == std::string::npos && cell.find_first_of("123456789") != std::string::npos;
+}
+
+// Whole lengths in groups, 1,234, beside numbers with the decimal sign; no angle has four digits. Points group only where another
+// length shows that lengths have no three decimals.
+CellPlace first_whole(const SurveyRows& survey, const Style& style, char decimal)
 {
   CellPlace first;
-  bool point = false;
+  bool sign = false, other_length = style.group == ',';
   for (const SurveyRow& row : survey.rows)
     for (std::size_t i = 0; i < survey_quantities; ++i)
     {
       const std::string& cell = row.cells[i];
-      point = point || cell.find('.') != std::string::npos;
-      if (cell.find(',') == std::string::npos) continue;
-      if (is_angle(i) || !fits(cell, decimal_points().any)) return {};
+      const bool has_sign = cell.find(decimal) != std::string::npos;
+      sign = sign || has_sign;
+      if (cell.find(style.group) == std::string::npos)
+      {
+        other_length = other_length || (!is_angle(i) && (has_sign || is_whole(cell)));
+        continue;
+      }
+      if (is_angle(i) || !fits(cell, style.any)) return {};
       if (first.line == 0) first = {row.line, cell};
     }
-  return point ? first : CellPlace();
+  return sign && other_length ? first : CellPlace();
 }
 
 void take_signs(const Style& style, const CellPlace& first, SurveyRows& survey)
@@ -94,7 +105,7 @@ void take_groups(char delimiter, SurveyRows& survey, Problems& problems)
 {
   take_blanks(survey);
   CellPlace point = first_sure(survey, decimal_points());
-  const CellPlace comma = delimiter == ',' ? CellPlace() : first_sure(survey, decimal_commas());
+  CellPlace comma = delimiter == ',' ? CellPlace() : first_sure(survey, decimal_commas());
   if (point.line > 0 && comma.line > 0)
   {
     const CellPlace &first = point.line < comma.line ? point : comma, &second = point.line < comma.line ? comma : point;
@@ -102,7 +113,8 @@ void take_groups(char delimiter, SurveyRows& survey, Problems& problems)
                            second.cell + " has another decimal sign than " + first.cell + " (line " + std::to_string(first.line) +
                                "), needed: one decimal sign in all numbers");
   }
-  if (point.line == 0 && comma.line == 0) point = first_whole(survey);
+  if (point.line == 0 && comma.line == 0) point = first_whole(survey, decimal_points(), '.');
+  if (point.line == 0 && comma.line == 0 && delimiter != ',') comma = first_whole(survey, decimal_commas(), ',');
   if (point.line > 0) survey.decimal_commas = false;
   if (point.line > 0) take_signs(decimal_points(), point, survey);
   if (comma.line > 0) take_signs(decimal_commas(), comma, survey);

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "problems.h"
-#include "station_steps.h"
 #include "survey_csv.h"
 #include "survey_las.h"
 #include "survey_stations.h"
@@ -37,13 +36,10 @@ SurveyTable read_survey_file(const std::string& file, const SurveyFormat& format
   problems.raise();
   SurveyTable table = stations_of(rows, format.pass_over != 0.0, tie_in, problems);
   problems.raise();
-  const bool in_degrees = rows.rows.front().units[survey_inclination] == angle_unit("deg") &&
-                          rows.rows.front().units[survey_azimuth] == angle_unit("deg");
-  const std::string radians = in_degrees ? like_radians(table.stations) : "";
-  const std::string feet = rows.rows.front().units[survey_md] == length_unit("m") ? like_feet(table.stations) : "";
-  for (const std::string& unlikely : {sharp_turn(table.stations), flat_begin(table.stations), radians, feet,
-                                      wrong_digit(table.stations, *rows.rows.front().units[survey_md])})
-    if (!unlikely.empty()) table.remarks.push_back(unlikely);
+  const auto& units = rows.rows.front().units;
+  const bool in_degrees = units[survey_inclination] == angle_unit("deg") && units[survey_azimuth] == angle_unit("deg");
+  for (const std::string& unlikely : unlikely_stations(table.stations, *units[survey_md], in_degrees))
+    table.remarks.push_back(unlikely);
   for (std::string& remark : table.remarks) remark.insert(0, one_line(file) + ": ");
   if (!whole.remark.empty()) table.remarks.insert(table.remarks.begin(), whole.remark);
   return table;

@@ -73,6 +73,7 @@ LasSection section_of(const std::string& line, bool inclinometry)
 struct LasHead
 {
   std::string version = "2.0", null, names;  // names of the curves with their units, parted by semicolons
+  std::size_t curves = 0;
   char delimiter = ' ';
   bool wrapped = false;
 
@@ -83,25 +84,51 @@ struct LasHead
     if (section == LasSection::version && line.name == "WRAP") wrapped = lowered(line.value) == "yes";
     if (section == LasSection::version && line.name == "DLM") delimiter = delimiter_of(lowered(line.value));
     if (section == LasSection::well && line.name == "NULL") null = line.value;
-    if (section == LasSection::curves && !line.name.empty())
-      names += (names.empty() ? "" : ";") + line.name + (line.unit.empty() ? "" : " (" + line.unit + ")");
+    if (section != LasSection::curves || line.name.empty()) return;
+    ++curves;
+    names += (names.empty() ? "" : ";") + line.name + (line.unit.empty() ? "" : " (" + line.unit + ")");
   }
 
   static char delimiter_of(const std::string& word) { return word == "comma" ? ',' : word == "tab" ? '\t' : ' '; }
 };
 
-// a line of the data, its values parted by semicolons
-std::string row_of(const std::string& text, const LasHead& head)
+// cells of the data as a row, parted by semicolons
+std::string row_of(const Cells& cells, const LasHead& head)
 {
   std::string row;
   bool first = true;
-  for (const std::string& cell : split(text, head.delimiter))
+  for (const std::string& cell : cells)
   {
     row += (first ? "" : ";") + (!head.null.empty() && same_number(cell, head.null) ? "-" : cell);
     first = false;
   }
   return row;
 }
+
+/// Puts lines of the data together until they hold a value of each curve, where the file wraps its lines.
+class LasRows
+{
+public:
+  // the row that a line ends, empty while it goes on
+  std::string take(const std::string& line, const LasHead& head)
+  {
+    const Cells cells = split(line, head.delimiter);
+    if (!head.wrapped) return row_of(cells, head);
+    pending_.insert(pending_.end(), cells.begin(), cells.end());
+    return pending_.size() < head.curves ? "" : rest(head);
+  }
+
+  // what the last line leaves open
+  std::string rest(const LasHead& head)
+  {
+    const std::string row = row_of(pending_, head);
+    pending_.clear();
+    return row;
+  }
+
+private:
+  Cells pending_;
+};
 
 // whether a line begins a section of data of a survey of LAS 3.0; their number is counted
 std::size_t inclinometries(const std::string& text)
@@ -118,6 +145,7 @@ std::string table_of(const std::string& text, bool inclinometry, LasHead& head)
 {
   std::string table;
   LasSection section = LasSection::other;
+  LasRows rows;
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line); table += '\n')
   {
@@ -129,13 +157,14 @@ std::string table_of(const std::string& text, bool inclinometry, LasHead& head)
       if (section == LasSection::data) table += head.names;
     }
     else if (section == LasSection::data)
-      table += row_of(line, head);
+      table += rows.take(line, head);
     else
     {
       head.take(section, line);
       table += "# " + line;
     }
   }
+  if (!table.empty()) table.insert(table.size() - 1, rows.rest(head));  // before the end of the last line
   return table;
 }
 }  // namespace
@@ -146,9 +175,8 @@ SurveyRows read_survey_las(const std::string& text, const SurveyFormat& format, 
   const std::size_t surveys = inclinometries(text);
   const std::string table = table_of(text, surveys > 0, head);
   const bool known = !head.version.empty() && head.version[0] >= '1' && head.version[0] <= '3';
-  const std::string wrong = !known         ? "is LAS " + shortened(head.version) + ", allowed: 1.2, 2.0 and 3.0"
-                            : surveys > 1  ? "holds " + std::to_string(surveys) + " surveys (~Inclinometry_Data), needed: one"
-                            : head.wrapped ? std::string("wraps its lines, needed: lines that are not wrapped")
+  const std::string wrong = !known        ? "is LAS " + shortened(head.version) + ", allowed: 1.2, 2.0 and 3.0"
+                            : surveys > 1 ? "holds " + std::to_string(surveys) + " surveys (~Inclinometry_Data), needed: one"
                             : head.names.empty() ? "has no curves (~C), needed: " + std::string(needed_survey)
                                                  : "";
   if (!wrong.empty()) problems.add_at(1, "", "begins as a LAS file and " + wrong);

@@ -13,9 +13,13 @@ namespace
 // what stands for no value in records and surveys; none of them is a depth or an angle
 constexpr std::array<double, 7> nulls = {-999.0, -999.25, -9999.0, -9999.25, -99999.0, -99999.25, -999999.0};
 
+// of typesetters: the minus sign, a short and a long dash
+const std::array<std::string, 3> dashes = {"\xe2\x88\x92", "\xe2\x80\x93", "\xe2\x80\x94"};
+
 bool is_empty_text(const std::string& cell)
 {
   const std::string text = lowered(cell);
+  if (std::find(dashes.begin(), dashes.end(), text) != dashes.end()) return true;
   return text.find_first_not_of('-') == std::string::npos || text == "null" || text == "n/a" || text == "na";
 }
 
@@ -38,6 +42,15 @@ std::string with_point(std::string cell)
   return cell;
 }
 }  // namespace
+
+std::string with_hyphen(const std::string& cell)
+{
+  for (const std::string& dash : dashes)
+    if (cell.size() > dash.size() && cell.rfind(dash, 0) == 0 &&
+        std::string("0123456789.,").find(cell[dash.size()]) != std::string::npos)
+      return "-" + cell.substr(dash.size());
+  return cell;
+}
 
 CellKind read_cell(const std::string& cell, bool decimal_commas, double& value)
 {

@@ -65,6 +65,9 @@ enum class CellKind
   wrong
 };
 
+/// A cell with a typeset minus sign or dash in front of its number, with a hyphen instead.
+std::string with_hyphen(const std::string& cell);
+
 /// A cell's number, in its own unit. nan and inf are wrong.
 CellKind read_cell(const std::string& cell, bool decimal_commas, double& value);
 

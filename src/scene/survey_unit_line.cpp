@@ -74,7 +74,8 @@ std::string north_of_line(const std::string& line)
 {
   const Words words = name_words(line);
   const auto says = [&](const char* word) { return std::find(words.begin(), words.end(), word) != words.end(); };
-  if (says("true") || !says("north")) return "";
+  const bool of_azimuths = says("north") || says("azimuth") || says("azimuths") || says("azi") || says("bearings");
+  if (says("true") || !of_azimuths) return "";
   for (std::size_t i = 0; i < words.size(); ++i)
   {
     const auto north = norths().find(words[i]);

@@ -8,6 +8,7 @@
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/well/directions.h"
 #include "drill_rig_sim/well/survey.h"
+#include "lone_station.h"
 #include "station_steps.h"
 #include "unlikely_numbers.h"
 
@@ -107,24 +108,6 @@ std::string round_in_radians(const std::vector<SurveyStation>& survey)
       "deg",
       largest, largest / degree, largest);
 }
-}  // namespace
-
-std::vector<std::string> unlikely_values(const Scene& scene, bool stations)
-{
-  std::vector<std::string> lines{unlikely_mud(scene.mud.density)};
-  const std::vector<SurveyStation>& survey = scene.well.survey;
-  if (stations)
-    for (const std::string& text : {sharp_turn(survey), flat_begin(survey), like_radians(survey), like_feet(survey),
-                                    wrong_digit(survey, *length_unit("m"))})
-      lines.push_back(text.empty() ? "" : "well.stations: " + text);
-  lines.push_back(unlikely_rock(scene));
-  for (std::size_t i = 0; i < scene.string.size(); ++i)
-    for (const std::string& text : {unlikely_mass(scene.string[i], i), nominal_mass(scene.string[i], i)}) lines.push_back(text);
-  std::vector<std::string> found = unlikely_numbers(scene);
-  for (const std::string& one : lines)
-    if (!one.empty()) found.push_back(one);
-  return found;
-}
 
 std::string sharp_turn(const std::vector<SurveyStation>& survey)
 {
@@ -143,6 +126,8 @@ std::string sharp_turn(const std::vector<SurveyStation>& survey)
   return text;
 }
 
+// angles that are radians: no inclination above 1.8, no azimuth above 2 pi, most azimuths no whole numbers, and as radians a hole
+// without sharp turns; or all inclinations multiples of 5 deg in radians. The azimuths of a vertical hole go all the way round.
 std::string like_radians(const std::vector<SurveyStation>& survey)
 {
   if (const std::string text = round_in_radians(survey); !text.empty()) return text;
@@ -173,6 +158,34 @@ std::string flat_begin(const std::vector<SurveyStation>& survey)
       "the hole begins with %g deg of inclination at the rotary table, rigs drill up to 45 deg; do the inclinations count "
       "from the horizontal?",
       survey.front().inclination / degree);
+}
+}  // namespace
+
+std::vector<std::string> unlikely_stations(const std::vector<SurveyStation>& survey, const UnitName& unit, bool in_degrees)
+{
+  const std::string lone = lone_station(survey, unit);
+  const bool in_metres = &unit == length_unit("m");
+  std::vector<std::string> found;
+  for (const std::string& text :
+       {lone.empty() ? sharp_turn(survey) : lone, flat_begin(survey), in_degrees ? like_radians(survey) : "",
+        in_metres ? like_feet(survey) : "", wrong_digit(survey, unit)})
+    if (!text.empty()) found.push_back(text);
+  return found;
+}
+
+std::vector<std::string> unlikely_values(const Scene& scene, bool stations)
+{
+  std::vector<std::string> lines{unlikely_mud(scene.mud.density)};
+  if (stations)
+    for (const std::string& text : unlikely_stations(scene.well.survey, *length_unit("m"), true))
+      lines.push_back("well.stations: " + text);
+  lines.push_back(unlikely_rock(scene));
+  for (std::size_t i = 0; i < scene.string.size(); ++i)
+    for (const std::string& text : {unlikely_mass(scene.string[i], i), nominal_mass(scene.string[i], i)}) lines.push_back(text);
+  std::vector<std::string> found = unlikely_numbers(scene);
+  for (const std::string& one : lines)
+    if (!one.empty()) found.push_back(one);
+  return found;
 }
 
 }  // namespace drill_rig_sim

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "drill_rig_sim/scene/scene.h"
+#include "survey_units.h"
 
 namespace drill_rig_sim
 {
@@ -13,17 +14,11 @@ namespace drill_rig_sim
 /// `stations`: those of the scene's well too; a survey's file has been looked at.
 std::vector<std::string> unlikely_values(const Scene& scene, bool stations);
 
-/// Where a survey turns more sharply than holes are drilled, as by a wrong station; empty: nowhere.
-std::string sharp_turn(const std::vector<SurveyStation>& survey);
-
-/// Where a survey begins more inclined than slant rigs drill, as where inclinations count from the horizontal; empty: it does
-/// not.
-std::string flat_begin(const std::vector<SurveyStation>& survey);
-
-/// Where the numbers of a survey in degrees are like radians: no inclination above 1.8, no azimuth above 2 pi, most azimuths no
-/// whole numbers, and as radians a hole without sharp turns; or all inclinations multiples of 5 deg in radians. Empty: they are
-/// not. The azimuths of a vertical hole go all the way round.
-std::string like_radians(const std::vector<SurveyStation>& survey);
+/// What is unlikely of the stations of a survey, a line each: one that does not fit those beside it, else where the hole turns
+/// more sharply than holes are drilled; a beginning more inclined than slant rigs drill, as where inclinations count from the
+/// horizontal; angles that are radians, where the file has them in degrees; steps of pipe in feet, where its unit is m; a wrong
+/// digit of a depth. `unit`: of the depths as they were written.
+std::vector<std::string> unlikely_stations(const std::vector<SurveyStation>& survey, const UnitName& unit, bool in_degrees);
 
 }  // namespace drill_rig_sim
 

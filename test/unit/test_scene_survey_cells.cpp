@@ -91,6 +91,7 @@ TEST(SceneSurvey, DigitsInGroups)
                                             "its numbers have commas between groups of digits (first: line 4: 1,234.50)"},
         {"1,234;2.5;40.25", "its numbers have commas between groups of digits (first: line 4: 1,234)"},
         {"1.234,50;2,5;40,25", "its numbers have points between groups of digits (first: line 4: 1.234,50)"},
+        {"1.234;2,5;40,25", "its numbers have points between groups of digits (first: line 4: 1.234)"},
         {"1 234,50;2,5;40,25", ""},
         {"1\xe2\x80\xaf"
          "234.5;2.5;40.25",
@@ -104,7 +105,7 @@ TEST(SceneSurvey, DigitsInGroups)
          ""}})
   {
     const SurveyTable table = read(head + above + row + "\n");
-    expect_station(table.stations[2], std::string(row) == "1,234;2.5;40.25" ? 1234.0 : 1234.5, 2.5, 40.25);
+    expect_station(table.stations[2], std::string(row).substr(5, 1) == ";" ? 1234.0 : 1234.5, 2.5, 40.25);
     EXPECT_EQ(*remark ? 1u : 0u, table.remarks.size()) << row;
     for (const std::string& one : table.remarks) EXPECT_TRUE(holds(one, remark)) << one;
   }
@@ -116,6 +117,19 @@ TEST(SceneSurvey, DigitsInGroups)
   EXPECT_TRUE(holds(refusal(head + above + "1,234.5;2,5;40\n"), ":4: Inc (deg): must be a finite number (got \"2,5\")"));
   EXPECT_TRUE(holds(refusal(head + above + "1.234,5;2.5;40\n"), "the file mixes decimal commas and decimal points"));
   EXPECT_TRUE(holds(refusal(head + above + "1 23,5;2,5;40\n"), ":4: MD (m): must be a finite number (got \"1 23,5\")"));
+}
+
+// As typesetters write them: a minus sign and dashes.
+TEST(SceneSurvey, TypesetSigns)
+{
+  const std::string minus = "\xe2\x88\x92", dash = "\xe2\x80\x93", long_dash = "\xe2\x80\x94";
+  const SurveyTable table = read("MD (m);Inc (deg);Azi (deg);North (m);East (m);TVD (m)\n0;0;" + minus + "5;" + minus + "1.5;" +
+                                 dash + "2;0\n500;10;45;;;\n");
+  expect_station(table.stations[0], 0.0, 0.0, -5.0);
+  ASSERT_TRUE(table.tie_in);
+  EXPECT_DOUBLE_EQ(-1.5, table.tie_in->north);
+  EXPECT_DOUBLE_EQ(-2.0, table.tie_in->east);
+  EXPECT_TRUE(holds(refusal("MD (m);Inc (deg);Azi (deg)\n0;0;0\n500;" + long_dash + ";45\n"), ":3: Inc (deg): has no value"));
 }
 
 // A table copied from a report: the mark is the problem, not the decimal sign.

@@ -172,8 +172,10 @@ TEST(SceneSurvey, LasOfASurvey)
   expect_station(table.stations[1], 304.8, 10.0, 45.0);
   EXPECT_TRUE(holds(table.remarks.at(0), "\"DEPT (FT)\" is read as measured depth"));
   EXPECT_TRUE(holds(refusal(las("2.0", "NO", curves, "0 0 0 0\n1000.0 30 -1.00 45.0\n")), ":16: DEVI (DEG): has no value"));
-  EXPECT_TRUE(holds(refusal(las("2.0", "YES", curves, "0\n0 0 0\n")),
-                    "begins as a LAS file and wraps its lines, needed: lines that are not"));
+  const SurveyTable wrapped = read(las("2.0", "YES", curves, "0\n-1 0 0\n1000.0\n30 10.0\n45.0\n"));
+  ASSERT_EQ(2u, wrapped.stations.size());
+  expect_station(wrapped.stations[1], 304.8, 10.0, 45.0);
+  EXPECT_TRUE(holds(refusal(las("2.0", "YES", curves, "0\n-1 0 0\n1000.0\n30 10.0\n")), ":18: HAZI (DEG): has no value"));
   EXPECT_TRUE(holds(refusal(las("4.0", "NO", curves, "0 0 0 0\n")), "is LAS 4.0, allowed: 1.2, 2.0 and 3.0"));
   EXPECT_EQ(2u, read(las("3.0", "NO", curves, "0 -1 0 0\n1000.0 30 10.0 45.0\n")).stations.size());
   EXPECT_TRUE(holds(refusal(las("2.0", "NO", "", "0 0 0 0\n")), "has no curves (~C)"));

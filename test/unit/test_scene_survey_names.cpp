@@ -74,6 +74,11 @@ TEST(SurveyNames, TheNorthAndAWeakDepthAreReported)
   const std::string magnetic = "azimuths refer to magnetic north and are not converted: the well's north is magnetic north";
   EXPECT_EQ(magnetic, remark_of(read("Глубина по стволу (м);Зенитный угол (°);Азимут магнитный (°)\n" + rows)));
   EXPECT_EQ(magnetic, remark_of(read("Profondeur mesurée (m);Inclinaison (°);Azimut magnétique (°)\n" + rows)));
+  const std::string table = "MD (m);Inc (deg);Azi (deg)\n" + rows;
+  for (const char* title : {"Azimuths: magnetic", "North reference: magnetic", "Azimuth is Magnetic, uncorrected"})
+    EXPECT_EQ(magnetic, remark_of(read(title + ("\n" + table)))) << title;
+  EXPECT_TRUE(read("Azimuths: true, magnetic declination 3 deg\n" + table).remarks.empty());
+  EXPECT_TRUE(read("Azimuth corrected for magnetic declination\n" + table).remarks.empty());
 }
 
 TEST(SurveyNames, AmbiguousUnitsAreRefusedWithTheirChoices)
