@@ -24,6 +24,7 @@ constexpr long double pound_per_gallon = pound / gallon;        // [kg/m3]
 constexpr long double pound_per_foot = pound / foot;            // [kg/m]
 constexpr long double foot3 = foot * foot * foot;               // [m3]
 constexpr long double short_ton = 2000.0L, long_ton = 2240.0L;  // in pounds
+constexpr long double mercury = 133.322387415L;                 // a millimetre of it at 0 degC (conventional) [Pa]
 constexpr long double fahrenheit = 5.0L / 9.0L;                 // a difference [K]
 constexpr long double survey_foot = 1200.0L / 3937.0L;          // of the USA, until 2022 [m]
 
@@ -69,13 +70,14 @@ std::vector<UnitFamily> first_families()
     {{"ton tons tonf tonsf kton mt", "tonfUS (2000 lbf), tonfUK (2240 lbf) or 1000 kgf (tf)"},
      {"mlbf mlb mlbs", "klbf (1000 lbf); M is a thousand in some files, a million in others"}}},
   {"a torque", {
-    {"N.m", 1.0L, "nm"}, {"daN.m", 10.0L, "danm"}, {"kN.m", 1e3L, "knm"}, {"kgf.m", gravity, "kg.m kgm m.kgf kp.m"},
+    {"N.m", 1.0L, "nm m.n"}, {"daN.m", 10.0L, "danm m.dan mdan"}, {"kN.m", 1e3L, "knm m.kn mkn"},
+        {"kgf.m", gravity, "kg.m kgm m.kgf kp.m"},
         {"lbf.in", pound_force * inch, "lb.in in.lbf in.lb in.lbs"},
     {"ft.lbf", pound_foot, "ft.lb ft.lbs lbf.ft lb.ft lbs.ft ftlb ftlbs ftlbf lbft foot.pound foot.pounds"},
     {"kft.lbf", 1e3L * pound_foot, "kft.lb kft.lbs klbf.ft klb.ft klbs.ft kftlb kftlbs kftlbf klbft ft.klbf ft.klb ft.klbs "
         "ft.kip ft.kips kip.ft kips.ft k.lb.ft k.lbs.ft k.lbf.ft "
       "k.ft.lb k.ft.lbf k.ft.lbs 1000.ft.lbf 1000.ft.lb 1000.ft.lbs 1000.lbf.ft"},
-    {"kdaN.m", 1e4L, "kdanm", rare}, {"MN.m", 1e6L, "", rare}, {"dN.m", 0.1L, "", rare},
+    {"kdaN.m", 1e4L, "kdanm dan.km", rare}, {"MN.m", 1e6L, "", rare}, {"dN.m", 0.1L, "", rare},
         {"kkgf.m", 1e3L * gravity, "tf.m", rare},
     {"tonfUS.ft", short_ton * pound_foot, "", rare}},
     {{"ton.ft tonf.ft ft.ton ft.tonf", "tonfUS.ft"}}},
@@ -87,17 +89,20 @@ std::vector<UnitFamily> families_of_fluids()
 {
   return {
   {"a pressure", {
-    {"Pa", 1.0L, "n/m2"}, {"kPa", 1e3L, "kn/m2 kpag kpa(g)"}, {"MPa", 1e6L, "n/mm2"}, {"GPa", 1e9L},
-        {"bar", 1e5L, "bars barg bar(g)"},
+    {"Pa", 1.0L, "n/m2"}, {"kPa", 1e3L, "kn/m2 kpag kpa(g) kpa.g"}, {"MPa", 1e6L, "n/mm2 mpag mpa(g) mpa.g"}, {"GPa", 1e9L},
+        {"bar", 1e5L, "bars barg bar(g) bar.g"},
         {"atm", 101325.0L},
     {"kgf/cm2", 1e4L * gravity, "kg/cm2 kgcm2 ksc at kp/cm2 kgf/cm2(g) kg/cm2g kg/cm2(g)"},
-        {"psi", psi, "psig psi(g) lbf/in2 lb/in2 lbs/in2"},
+        {"psi", psi, "psig psi(g) psi.g lbf/in2 lb/in2 lbs/in2"},
         {"ksi", 1e3L * psi, "kpsi"},
     {"lbf/100ft2", pound_force / (100.0L * foot * foot), "lb/100ft2 lbs/100ft2 lbf/100.ft2 lb/100.ft2 lbs/100.ft2 lbf/100sqft "
         "lb/100sqft lbs/100sqft lbf/100.sqft lb/100.sqft lbf/100.sq.ft lb/100.sq.ft lbs/100.sq.ft"},
     {"lbf/ft2", pound_force / (foot * foot), "psf", rare}, {"hPa", 100.0L, "mbar", rare}, {"hbar", 1e7L, "", rare},
         {"kgf/m2", gravity, "", rare},
-    {"kgf/mm2", 1e6L * gravity, "", rare}}},
+    {"kgf/mm2", 1e6L * gravity, "", rare}, {"mmHg", mercury, "mm.hg torr", rare}, {"inHg", 25.4L * mercury, "in.hg", rare},
+        {"mH2O", 1e3L * gravity, "m.h2o mwc", rare}, {"inH2O", 25.4L * gravity, "in.h2o inwc", rare}},
+    {{"psia psi(a) psi.a psi.abs bara bar(a) bar.a bar.abs kpaa kpa(a) kpa.a kpa.abs mpaa mpa(a) mpa.a mpa.abs",
+        "psi, bar, kPa or MPa of a gauge; absolute pressures are 1 atm more"}}},
   {"an energy per volume", {
     {"J/m3", 1.0L}, {"MJ/m3", 1e6L}, {"Pa", 1.0L}, {"MPa", 1e6L}, {"psi", psi}, {"ksi", 1e3L * psi, "kpsi"}}},
   {"a density", {
@@ -129,13 +134,13 @@ std::vector<UnitFamily> further_families()
   {"an angular acceleration", {{"rad/s2", 1.0L}, {"rpm/s", rev_per_minute}, {"deg/s2", deg}}},
   {"an acceleration", {{"m/s2", 1.0L}, {"ft/s2", foot}}},
   {"a flow", {
-    {"m3/s", 1.0L}, {"m3/min", 1.0L / minute, "m3pm kl/min 1000.l/min"}, {"m3/h", 1.0L / hour, "m3/hr m3/ch"},
+    {"m3/s", 1.0L}, {"m3/min", 1.0L / minute, "m3/m m3pm kl/min 1000.l/min"}, {"m3/h", 1.0L / hour, "m3/hr m3/ch"},
         {"L/s", litre, "lps l/sec ltr/s dm3/s l/sek"},
-    {"L/min", litre / minute, "lpm ltr/min lt/min liter/min liters/min litre/min litres/min l/minute l/mn dm3/min"},
+    {"L/min", litre / minute, "l/m lpm ltr/min lt/min liter/min liters/min litre/min litres/min l/minute l/mn dm3/min"},
     // a gallon of the oilfield is that of the USA
-    {"gpm", gallon / minute, "galus/min galus/minute gal/min gals/min gal(us)/min us.gal/min usgal/min usg/min usgpm us.gpm "
-        "gpm(us)"},
-    {"bbl/min", barrel / minute, "bpm bbls/min stb/min"},
+    {"gpm", gallon / minute, "galus/min galus/minute gal/min gal/m gals/min gal(us)/min us.gal/min usgal/min usg/min usgpm "
+        "us.gpm gpm(us)"},
+    {"bbl/min", barrel / minute, "bpm bbl/m bbls/m bbls/min stb/min"},
         {"galUK/min", uk_gallon / minute, "gal(uk)/min uk.gal/min ukgal/min impgal/min igpm"},
     {"m3/d", 1.0L / day, "", rare}, {"L/h", litre / hour, "", rare}, {"cm3/s", 1e-6L, "", rare},
         {"cm3/min", 1e-6L / minute, "", rare}, {"galUS/s", gallon, "", rare},
@@ -287,8 +292,9 @@ FoundUnit find_unit(const UnitFamily& family, const std::string& spelling)
     if (holds(one.spellings, text)) return {nullptr, one.allowed};
   for (const UnitName& unit : family.units)
   {
-    if (folded_unit(unit.name) != text && !holds(unit.spellings, text)) continue;
-    if (unit.name[0] == 'M' && plain[0] == 'm') return {nullptr, unit.name + std::string(" or ") + (unit.name + 1)};
+    const bool is_symbol = folded_unit(unit.name) == text;
+    if (!is_symbol && !holds(unit.spellings, text)) continue;
+    if (is_symbol && unit.name[0] == 'M' && plain[0] == 'm') return {nullptr, unit.name + std::string(" or ") + (unit.name + 1)};
     return {&unit, ""};
   }
   return {};

@@ -17,6 +17,16 @@ constexpr std::array<std::uint16_t, 32> windows_1252 = {0x20ac, 0xfffd, 0x201a, 
                                                         0xfffd, 0x2018, 0x2019, 0x201c, 0x201d, 0x2022, 0x2013, 0x2014,
                                                         0x02dc, 0x2122, 0x0161, 0x203a, 0x0153, 0xfffd, 0x017e, 0x0178};
 
+// bytes 0x80 to 0xbf; one of them is left open. Those above are the letters from A to ya (U+0410 to U+044F).
+constexpr std::array<std::uint16_t, 64> windows_1251 = {
+    0x0402, 0x0403, 0x201a, 0x0453, 0x201e, 0x2026, 0x2020, 0x2021, 0x20ac, 0x2030, 0x0409, 0x2039, 0x040a,
+    0x040c, 0x040b, 0x040f, 0x0452, 0x2018, 0x2019, 0x201c, 0x201d, 0x2022, 0x2013, 0x2014, 0xfffd, 0x2122,
+    0x0459, 0x203a, 0x045a, 0x045c, 0x045b, 0x045f, 0x00a0, 0x040e, 0x045e, 0x0408, 0x00a4, 0x0490, 0x00a6,
+    0x00a7, 0x0401, 0x00a9, 0x0404, 0x00ab, 0x00ac, 0x00ad, 0x00ae, 0x0407, 0x00b0, 0x00b1, 0x0406, 0x0456,
+    0x0491, 0x00b5, 0x00b6, 0x00b7, 0x0451, 0x2116, 0x0454, 0x00bb, 0x0458, 0x0405, 0x0455, 0x0457};
+constexpr std::size_t shortest_word = 4;  // that no other language writes with letters beyond ASCII alone
+constexpr double least_in_words = 0.7;    // share of such letters that stand in these words
+
 unsigned char byte_at(const std::string& bytes, std::size_t at)
 {
   return static_cast<unsigned char>(bytes[at]);
@@ -48,15 +58,39 @@ bool is_utf8(const std::string& bytes)
   return true;
 }
 
-std::string utf8_of_latin(const std::string& bytes)
+// whether bytes that are no UTF-8 are words in windows-1251
+bool is_cyrillic(const std::string& bytes)
+{
+  std::size_t letters = 0, in_words = 0, length = 0;
+  for (std::size_t i = 0; i <= bytes.size(); ++i)
+  {
+    if (i < bytes.size() && byte_at(bytes, i) >= 0xc0)
+    {
+      ++length;
+      continue;
+    }
+    letters += length;
+    if (length >= shortest_word) in_words += length;
+    length = 0;
+  }
+  return in_words > 0 && static_cast<double>(in_words) >= least_in_words * static_cast<double>(letters);
+}
+
+std::uint32_t latin(std::uint32_t byte)
+{
+  return byte >= 0x80 && byte < 0xa0 ? windows_1252[byte - 0x80] : byte;
+}
+
+std::uint32_t cyrillic(std::uint32_t byte)
+{
+  return byte < 0x80 ? byte : byte < 0xc0 ? windows_1251[byte - 0x80] : 0x0410 + byte - 0xc0;
+}
+
+std::string utf8_of(const std::string& bytes, std::uint32_t (*point_of)(std::uint32_t))
 {
   std::string text;
   text.reserve(bytes.size() + bytes.size() / 8);
-  for (std::size_t i = 0; i < bytes.size(); ++i)
-  {
-    const std::uint32_t byte = byte_at(bytes, i);
-    append_utf8(byte >= 0x80 && byte < 0xa0 ? windows_1252[byte - 0x80] : byte, text);
-  }
+  for (std::size_t i = 0; i < bytes.size(); ++i) append_utf8(point_of(byte_at(bytes, i)), text);
   return text;
 }
 
@@ -108,8 +142,14 @@ DecodedText characters_of(std::string bytes)
     return decoded;
   }
   if (begins_with(bytes, "\xef\xbb\xbf")) bytes.erase(0, 3);
-  decoded.is_latin = !is_utf8(bytes);
-  decoded.text = decoded.is_latin ? utf8_of_latin(bytes) : std::move(bytes);
+  if (is_utf8(bytes))
+  {
+    decoded.text = std::move(bytes);
+    return decoded;
+  }
+  const bool in_cyrillic = is_cyrillic(bytes);
+  decoded.taken_as = in_cyrillic ? "windows-1251 (Cyrillic)" : "latin-1";
+  decoded.text = utf8_of(bytes, in_cyrillic ? cyrillic : latin);
   return decoded;
 }
 }  // namespace

@@ -77,7 +77,8 @@ TextFile read_text_file(const std::string& file, const char* needed, std::size_t
   if (!wrong.empty()) problems.fail(0, "", wrong);
   DecodedText decoded = decode_text(std::move(bytes));
   if (!decoded.wrong.empty()) problems.fail(decoded.wrong_line, "", decoded.wrong);
-  return {std::move(decoded.text), decoded.is_latin ? one_line(file) + ": is not UTF-8; read as latin-1" : ""};
+  return {std::move(decoded.text),
+          decoded.taken_as.empty() ? "" : one_line(file) + ": is not UTF-8; read as " + decoded.taken_as};
 }
 
 }  // namespace drill_rig_sim

@@ -14,7 +14,8 @@ constexpr std::size_t longest_text = 16u << 20;
 struct TextFile
 {
   std::string text;    ///< UTF-8 without a byte order mark
-  std::string remark;  ///< to be reported, in one line with the file's name: it was read as latin-1; else empty
+  std::string remark;  ///< to be reported, in one line with the file's name: it is not Unicode and was read as latin-1 or
+                       ///< windows-1251; else empty
 };
 
 /// Reads the whole of a regular file of at most `longest` bytes, in any of decode_text()'s encodings (text_decoder.h). Anything

@@ -11,6 +11,7 @@ import tempfile
 import unittest
 
 build, devel = '', ''
+ROSRUN = shutil.which('rosrun')
 
 
 def installed(folder, prefix, destdir=''):
@@ -63,15 +64,23 @@ class Install(unittest.TestCase):
         lines = ". '%s/setup.bash'; /usr/bin/python3 -c 'from drill_rig_sim.sim import Simulator, __file__; print(__file__, Simulator(\"quick.yaml\").step(0.1).t)'"
         self.assertEqual('%s/lib/python3/dist-packages/drill_rig_sim/sim.py 0.1' % self.prefix, in_shell('bash', lines % self.prefix, self.folder).strip())
 
-    def test_rosrun_finds_its_programs(self):
-        if not shutil.which('rosrun'):
-            self.skipTest('rosrun is not installed (rosbash)')
-        for setup in (self.prefix, devel):
-            for program in (*self.runner, 'rig_simulator', 'weight_holder', 'drill_campaign'):
-                printed = in_shell('bash', ". '%s/setup.bash'; rosrun --prefix echo drill_rig_sim %s" % (setup, program), self.folder)
-                self.assertRegex(printed.strip(), '/%s$' % program, setup)
-            if self.runner:
-                self.assertIn("Usage: drill", in_shell('bash', ". '%s/setup.bash'; rosrun drill_rig_sim drill --help" % setup, self.folder))
+    def rosrun_finds_programs(self, setup):
+        for program in (*self.runner, 'rig_simulator', 'weight_holder', 'drill_campaign'):
+            printed = in_shell('bash', ". '%s/setup.bash'; rosrun --prefix echo drill_rig_sim %s" % (setup, program), self.folder)
+            self.assertRegex(printed.strip(), '/%s$' % program, setup)
+        if self.runner:
+            self.assertIn("Usage: drill", in_shell('bash', ". '%s/setup.bash'; rosrun drill_rig_sim drill --help" % setup, self.folder))
+
+    @unittest.skipUnless(ROSRUN, 'rosrun is not installed (rosbash)')
+    def test_rosrun_finds_its_programs_in_the_build(self):
+        self.rosrun_finds_programs(devel)
+
+    @unittest.skipUnless(ROSRUN, 'rosrun is not installed (rosbash)')
+    def test_rosrun_finds_its_programs_in_a_prefix(self):
+        with open(ROSRUN) as script:
+            if ' ' in self.prefix and '=(${exepathlist[0]})' in script.read():
+                self.skipTest('rosrun of this release parts paths at blanks')
+        self.rosrun_finds_programs(self.prefix)
 
     def test_a_package_that_depends_on_it_is_built_and_runs(self):
         source = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), 'dependent')

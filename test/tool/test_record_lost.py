@@ -67,6 +67,28 @@ class Lost(Folder):
         self.assertIn("hook_load: it is the same to the last digit in 90 rows, over 89 s", self.told(drilled(lambda k, load: 801.0 if 20 <= k < 110 else load))[1][0])
         self.assertIn("hook_load: 1 single values are 3.", self.told(drilled(lambda k, load: 3.5 * load if k == 40 else load))[1][0])
 
+    def test_a_signal_falls_to_nothing_while_what_goes_with_it_stays(self):
+        flow, speed = 8, 7
+        for column, null, name in ((flow, 0.0, "flow"), (flow, -1.0, "flow"), (PRESSURE, 0.0, "stand_pipe_pressure"), (speed, -1.0, "top_drive_speed"), (speed, 0.0, "top_drive_speed"),
+                                   (TORQUE, 0.001, "torque")):
+            rows = trip()
+            rows[8:10, column] = null
+            record, lines = self.told(rows)
+            self.assertRegex(lines[0], "(%s: 2 rows in which it falls to nothing and comes back, while [a-z_]* stays as it is, are no measurements|Flow In .*: 2 values of -1)" % name)
+            self.assertEqual(["%s: 2 of 480 rows hold no measurement" % name], [line.partition("measurement")[0] + "measurement" for line in lines[1:]])
+            self.assertTrue(numpy.isnan(record.signals[name][8:10]).all())
+            self.assertEqual(len(rows) - 2, numpy.isfinite(record.signals[name]).sum())
+
+    def test_what_a_rig_does_stays(self):
+        """Pumps that stop, a top drive that stops with its torque or turns free."""
+        flow, speed = 8, 7
+        for columns, first, last in (((flow, PRESSURE), 8, 20), ((speed, TORQUE), 8, 10), ((TORQUE,), 8, 20), ((speed,), 8, 20)):
+            rows = trip(stands=2)
+            for column in columns:
+                rows[first:last, column] = 0.0
+            lines = [line for line in self.told(rows)[1] if "falls to nothing" in line]
+            self.assertEqual([], lines, columns)
+
     def test_zeros_of_the_slips_stay(self):
         """A gauge that is zeroed with the empty block, and lost for a while at the next stand: the zeros in the slips stay."""
         rows = trip()

@@ -56,6 +56,16 @@ TEST(LatinLetters, UnitsOfOtherLanguagesAndMakers)
   EXPECT_DOUBLE_EQ(1e3, factor("pressure", "kPag"));
   EXPECT_DOUBLE_EQ(1e5, factor("pressure", "barg"));
   EXPECT_DOUBLE_EQ(factor("pressure", "psi"), factor("pressure", "psig"));
+  EXPECT_DOUBLE_EQ(1e6, factor("pressure", "MPaG"));
+  EXPECT_DOUBLE_EQ(1e5, factor("pressure", "bar g"));
+  EXPECT_NEAR(3386.389, factor("pressure", "inHg"), 1e-3);
+  EXPECT_NEAR(133.3224, factor("pressure", "mm Hg"), 1e-4);
+  EXPECT_DOUBLE_EQ(9806.65, factor("pressure", "mH2O"));
+  for (const char* spelling : {"m.daN", "m·daN", "daN m"}) EXPECT_DOUBLE_EQ(10.0, factor("torque", spelling)) << spelling;
+  EXPECT_DOUBLE_EQ(1e3, factor("torque", "mkN"));
+  for (const char* spelling : {"l/m", "L/M"}) EXPECT_DOUBLE_EQ(1e-3 / 60.0, factor("flow", spelling)) << spelling;
+  for (const char* absolute : {"psia", "bar a", "kPaA", "MPa(a)"})
+    EXPECT_NE("", find_unit(units_of_quantity("pressure"), absolute).choices) << absolute;
   for (const char* spelling : {"pies", "pieds", "Fuss", "Fuß"}) EXPECT_DOUBLE_EQ(0.3048, factor("length", spelling)) << spelling;
   for (const char* spelling : {"grados", "graus", "grader", "degrés"})
     EXPECT_DOUBLE_EQ(factor("angle", "deg"), factor("angle", spelling)) << spelling;

@@ -34,7 +34,7 @@ TEST(SceneText, Utf8WithAndWithoutItsMark)
   {
     const DecodedText decoded = decode_text(mark + sharp);
     EXPECT_EQ(sharp, decoded.text);
-    EXPECT_FALSE(decoded.is_latin);
+    EXPECT_EQ("", decoded.taken_as);
     EXPECT_EQ("", decoded.wrong);
   }
   EXPECT_EQ("", decode_text("").text);
@@ -66,11 +66,34 @@ TEST(SceneText, FilesThatAreNoTextAreNamed)
 TEST(SceneText, OtherBytesAreLatin)
 {
   const DecodedText decoded = decode_text("51\xb0 \xf8 \x80\x81\n");
-  EXPECT_TRUE(decoded.is_latin);
+  EXPECT_EQ("latin-1", decoded.taken_as);
   EXPECT_EQ("51\xc2\xb0 \xc3\xb8 \xe2\x82\xac\xef\xbf\xbd\n", decoded.text);
   // overlong, a surrogate, beyond 10FFFF, cut off: none of them is UTF-8
   for (const char* bytes : {"\xc0\xaf", "\xed\xa0\x80", "\xf4\x90\x80\x80", "\xe2\x82"})
-    EXPECT_TRUE(decode_text(bytes).is_latin) << bytes;
+    EXPECT_EQ("latin-1", decode_text(bytes).taken_as) << bytes;
+}
+
+// "Азимут" in windows-1251, beside words of German and French in latin-1
+TEST(SceneText, CyrillicWordsAreWindows1251)
+{
+  const DecodedText decoded = decode_text("\xc0\xe7\xe8\xec\xf3\xf2 (\xb0) \xb9 1;\xb8\n");
+  EXPECT_EQ("windows-1251 (Cyrillic)", decoded.taken_as);
+  EXPECT_EQ("Азимут (°) № 1;ё\n", decoded.text);
+  for (const char* latin : {"Gr\xf6\xdf"
+                            "e (\xb0)",
+                            "d\xe9riv\xe9"
+                            "e cr\xe9\xe9"
+                            "e",
+                            "\xd8\xc6\xc5 1"})
+    EXPECT_EQ("latin-1", decode_text(latin).taken_as) << latin;
+  const TemporaryFolder folder;
+  const std::string file = folder.file("survey.csv");
+  std::ofstream(file) << "\xc3\xeb\xf3\xe1\xe8\xed\xe0 \xef\xee \xf1\xf2\xe2\xee\xeb\xf3 (\xec);\xc7\xe5\xed\xe8\xf2\xed\xfb\xe9 "
+                         "\xf3\xe3\xee\xeb (\xb0);\xc0\xe7\xe8\xec\xf3\xf2 (\xb0)\n0;0;0\n100;2;40\n";
+  const SurveyTable survey = read_survey_file(file);
+  ASSERT_EQ(2u, survey.stations.size());
+  EXPECT_EQ(100.0, survey.stations[1].md);
+  EXPECT_EQ(std::vector<std::string>{file + ": is not UTF-8; read as windows-1251 (Cyrillic)"}, survey.remarks);
 }
 
 TEST(SceneText, NulIsInNoText)

@@ -8,6 +8,7 @@ from drill_rig_sim.field.column_finder import AllOf, ByMap, OfTheTrade
 from drill_rig_sim.field.columns import ColumnMap, read_map
 from drill_rig_sim.field.contradictions import contradictions
 from drill_rig_sim.field.dates import written
+from drill_rig_sim.field.dropouts import leave_out_dropouts
 from drill_rig_sim.field.files import begins_with, bytes_of, text_of
 from drill_rig_sim.field.in_feet import pipe_in_feet
 from drill_rig_sim.field.las import read_las
@@ -54,8 +55,8 @@ class Record:
             raise RecordError("%s: needed: two rows or more with a time (has %d%s)" % (name, rows, ", all with the same" if rows > len(time) else ""))
         self.begin, self.offset = float(time[0]) if parts[0].dated else None, parts[0].offset
         check_length(self, parts)
-        said += leave_out_lost(time, self.signals, lambda row: place_of(parts, time[row])) + leave_out_empty(self.signals)
-        said += unlikely_values(time, self.signals, lambda row: place_of(parts, time[row]))
+        for look in (leave_out_lost, leave_out_dropouts, unlikely_values):
+            said += look(time, self.signals, lambda row: place_of(parts, time[row])) + leave_out_empty(self.signals)
         self.time = self.signals["time"] = time - time[0]
         self.noticed = self.remarks + prefixed(name, said + remarks_of(self))
         self.remarks = self.noticed + prefixed(name, assumptions(self))
