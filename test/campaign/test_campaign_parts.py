@@ -94,6 +94,14 @@ class Scenes(unittest.TestCase):
         self.assertEqual({"h": [1, 2.5]}, found["g"])
         self.assertEqual(1.0, found["a"])
 
+    def test_lines_of_the_users_text(self):
+        values = {"a": 2.0, "block.new.e": 1, "block.new.f": 2, "block.z": 3, "list[y].v": 5, "list[x].w": 6, "g": 7}
+        text = SceneText(self.TEXT, list(values))
+        lines = [text.line_of(number, values) for number in range(1, text.with_values(values).count("\n") + 1)]
+        self.assertEqual([None, 1, 2, 3, 4, 5, None, None, 6], lines)  # g before a, new and z before in
+        multiple = SceneText("a: [1,\n  2]\nb: 3\n", ["a"])
+        self.assertEqual([1, 3], [multiple.line_of(number, {"a": [4.0]}) for number in (1, 2)])
+
     def test_what_is_no_place_is_told(self):
         for key, said in (("list[2].v", r"no \[2\]"), ("list[z].v", r"no \[z\]"), ("a.b", "is not a section"), ("a[0]", "not a list"), ("x..y", "is not a key"),
                           ("list", "is a section"), ("m[0].n", "has no m")):

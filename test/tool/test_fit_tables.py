@@ -206,6 +206,7 @@ parameters: [{name: friction, key: "well.sections[0].friction", start: 0.2, from
     def test_a_depth_below_the_hole(self):
         out, _ = self.fitted("31.9", "1600,900000,,\n")
         self.assertRegex(out, r"1 numbers could not be predicted \(first: pick_up at 1600.00 m\): .*start.bit_depth: 1600 m is below the hole's bottom, allowed: up to 1500 m")
+        self.assertIn("1600.00 m): %s/well.yaml:9: start.bit_depth" % self.folder, out)
 
 
 if __name__ == "__main__":

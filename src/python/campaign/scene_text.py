@@ -82,6 +82,20 @@ class SceneText:
             at += part.count("\n")
         return found
 
+    def line_of(self, line, values):
+        """The line of the scene's own text that is a line of with_values(), from 1 on; None where that is one of the keys that the text does not have."""
+        at = own = 1
+        last = 0
+        for begin, end, what in self.places:
+            at, own, last = at + self.text.count("\n", last, begin), 1 + self.text.count("\n", 0, begin), end
+            put_in = 0 if isinstance(what, str) else sum(part.count("\n") for part, _ in self.put_in(begin, what, values))
+            if at > line or (at == line and not put_in):
+                return own - (at - line)
+            if line < at + put_in:
+                return None
+            at += put_in
+        return 1 + self.text.count("\n", 0, last) + line - at
+
     def parts(self, values):
         """with_values() piece by piece, each with the keys whose values it holds."""
         at = 0

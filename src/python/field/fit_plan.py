@@ -52,7 +52,7 @@ def read_fit(file, fitted=None):
     else:
         parameters = [parameter_of(item, scene) for item in entries["parameters"].sequence()]
         check_places(scene, parameters, entries["parameters"].place())
-    model = model_of(entries, base, scene, survey, parameters, tuple(fitted.scatter) if fitted else ())
+    model = model_of(entries, base, (scene_file, scene, survey), parameters, tuple(fitted.scatter) if fitted else ())
     if not fitted:
         check_offsets(entries["parameters"], parameters, model)
     held = 0.0 if fitted else entries["held_out"].number(0.0, most=0.9) if "held_out" in entries else 0.3
@@ -70,19 +70,19 @@ def remarks_of_scene(file):
         return []
 
 
-def model_of(entries, base, scene, survey, parameters, signals):
-    """A TableModel or a RecordModel. `signals`: that are compared, unless the file names them; (): all."""
+def model_of(entries, base, scene, parameters, signals):
+    """A TableModel or a RecordModel. `scene`: its file, its text and its survey's. `signals`: that are compared, unless the file names them; (): all."""
     if "table" in entries:
         for key in OF_RECORDS:
             if key in entries:
                 entries[key].fail("is of a record, and this is the fit of a table")
-        return TableModel(scene, survey, parameters, *weights_of(entries["table"], base))
+        return TableModel(*scene, parameters, *weights_of(entries["table"], base))
     if "signals" in entries:
         signals = [item.choice(COMPARED) for item in entries["signals"].sequence()]
     columns = os.path.join(base, entries["columns"].text()) if "columns" in entries else None
     record = read_record([os.path.join(base, item.text()) for item in one_or_more(entries["record"])], columns)
     with after(lambda: record.noticed):
-        return RecordModel(scene, survey, parameters, record, signals, period_of(entries, record))
+        return RecordModel(*scene, parameters, record, signals, period_of(entries, record))
 
 
 def period_of(entries, record):

@@ -10,7 +10,7 @@ from concurrent.futures import ProcessPoolExecutor
 import numpy
 from drill_rig_sim.campaign.blueprint import Blueprint
 from drill_rig_sim.campaign.played import simulator
-from drill_rig_sim.campaign.runner import one_line
+from drill_rig_sim.campaign.refusal_of_user import line_of_user
 from drill_rig_sim.campaign.scene_text import SceneText, SceneTextError, survey_file
 from drill_rig_sim.field.course import scatter
 from drill_rig_sim.field.follow import rows_at_turns
@@ -43,7 +43,7 @@ class RecordModel:
     """`observed`: signal after signal, by the record's rows. `place`: where in the record each is, 0..1. `groups`: the signal of each; `axis`: name and values of what they
     are plotted over. `noise`: by signal the standard deviation of the record's noise. The scene is started where the record begins, by the rules of drill replay."""
 
-    def __init__(self, scene, survey, parameters, record, signals=(), period=Period()):
+    def __init__(self, file, scene, survey, parameters, record, signals=(), period=Period()):
         self.record, hung_lines = on_hook(record, period.begin, period.end)
         check(self.record)
         keys, lines = start_keys(scene, self.record, period.start_from)
@@ -53,7 +53,7 @@ class RecordModel:
         if not self.names:
             raise ModelError("%s: has no numbers to compare in: %s" % (record.name, ", ".join(signals)))
         self.begin = [value for key, value in keys.items() if not any(key in p.keys for p in parameters)]
-        self.blueprint = Blueprint(record.name, scene, survey, [(p.name, p.keys, p.times) for p in parameters if p.signal is None] +
+        self.blueprint = Blueprint(file, scene, survey, [(p.name, p.keys, p.times) for p in parameters if p.signal is None] +
                                    [(key, [key], False) for key in keys if not any(key in p.keys for p in parameters)])
         passed = inside(self.record.signals["time"], period.left_out)
         self.observed = numpy.concatenate(list(self.comparable(passed).values()))
@@ -116,10 +116,10 @@ class TableModel:
     """Rows: depth [m] and weights by MOTIONS [N], [N m], nan where there is none, as the scene's gauge shows them: with the friction of rail and sheaves. One rig's
     scene whose hole is the whole of the survey; the bit hangs at each depth."""
 
-    def __init__(self, scene, survey, parameters, depths, weights, remarks=(), errors=0.0, ways=None):
-        """`errors`: standard deviation of the loads by row, which is known beside their scatter [N]. `ways`: of WAYS those that are known, by row, nan where they are not."""
+    def __init__(self, file, scene, survey, parameters, depths, weights, remarks=(), errors=0.0, ways=None):
+        """`file`: of the scene, in refusals. `errors`: standard deviation of the loads by row, which is known beside their scatter [N]. `ways`: of WAYS those that are known, by row, nan where they are not."""
         keys = [(p.name, p.keys, p.times) for p in parameters if p.signal is None]
-        self.blueprint, self.with_block = (Blueprint("table", scene, survey, keys + [(key, [key], False) for key in START[:count]]) for count in (1, 2))
+        self.blueprint, self.with_block = (Blueprint(file, scene, survey, keys + [(key, [key], False) for key in START[:count]]) for count in (1, 2))
         self.depths, self.motions, self.remarks, self.noise = depths, list(weights), list(remarks), {}
         self.observed = numpy.concatenate([weights[motion] for motion in self.motions])
         self.weighed = numpy.flatnonzero(numpy.isfinite(self.observed))
@@ -224,10 +224,12 @@ class Evaluator:
         """Why a point's first task cannot be played, or of a table that of a number that was observed."""
         is_record = isinstance(self.model, RecordModel)
         place = 0 if number is None or is_record else int(numpy.searchsorted(self.model.weighed, number))
+        task = self.model.tasks([point])[place]
+        blueprint, row = (task[0], task[3]) if is_record else task[0][-1]
         try:
-            (played if is_record else hung)(self.model.tasks([point])[place])
+            (played if is_record else hung)(task)
         except Refused as error:
-            return one_line(error, self.model.blueprint)
+            return line_of_user(error, blueprint, row, blueprint.name)
         return "no equilibrium"
 
     def close(self):

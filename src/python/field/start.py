@@ -5,7 +5,7 @@ import math
 import yaml
 
 from drill_rig_sim.campaign.blueprint import Blueprint
-from drill_rig_sim.campaign.runner import one_line
+from drill_rig_sim.campaign.refusal_of_user import line_of_user
 from drill_rig_sim.campaign.scene_text import SceneTextError
 from drill_rig_sim.field.pipe import clock, first_hung
 from drill_rig_sim.field.record import RecordError
@@ -46,7 +46,7 @@ def start_keys(scene, record, start_from=""):
 
 
 def simulator_of(file, scene, survey, values):
-    """The rig of a scene's text with these values; Refused with one line that names the scene's file."""
+    """The rig of a scene's text with these values; Refused with one line that names the scene's file, and the survey's."""
     if not values:
         return Simulator(file)
     try:
@@ -58,4 +58,4 @@ def simulator_of(file, scene, survey, values):
     except Failed:
         raise
     except Refused as error:
-        raise Refused(one_line(error, blueprint).replace("scene.yaml", file, 1))
+        raise Refused(line_of_user(error, blueprint, list(values.values()), file))
