@@ -144,6 +144,44 @@ class Lost(Folder):
         rows[2 * SPAN + 10, LOAD] = 900.0  # the string's load for a row, among those of the empty block
         self.assertEqual([], self.told(rows)[1])
 
+    def drilled(self, column, value, first=100, last=140):
+        """(record, lines) of 20 min in which 4.8 m are drilled, a row every 5 s, with a value in 40 rows of a column."""
+        chance = numpy.random.default_rng(3)
+        rows = numpy.array([[5.0 * k, 25.0 - 0.02 * k, 1500.0 + 0.02 * k, 1500.0 + 0.02 * k, round(900.0 + chance.normal(0.0, 5.0), 1), round(8.0 + chance.normal(0.0, 0.3), 2),
+                             round(150.0 + chance.normal(0.0, 1.0), 1), round(120.0 + chance.normal()), round(2000.0 + chance.normal(0.0, 10.0))] for k in range(240)])
+        rows[first:last, column] = value
+        return self.told(rows)
+
+    def test_values_near_nothing_that_are_none(self):
+        names = {BLOCK: "block_height", BIT: "bit_depth", 3: "hole_depth", LOAD: "hook_load", TORQUE: "torque", PRESSURE: "stand_pipe_pressure", 7: "top_drive_speed", 8: "flow"}
+        self.assertEqual([], self.drilled(BLOCK, 0.0, 0, 0)[1])
+        for column, values in ((BLOCK, (0.0, 1.0, -1.0, -0.5, 1e-4)), (BIT, (0.0, 1.0, -0.5, 1e-4)), (3, (0.0, 1.0, -1.0)), (LOAD, (0.0, 1.0, 1e-4, -1.0, -0.5)), (TORQUE, (-1.0, -0.5)), (7, (-1.0,)),
+                               (PRESSURE, (-1.0, -0.5)), (8, (-1.0, -0.5))):
+            for value in values:
+                for first, last in ((100, 140), (200, 240)):
+                    with self.subTest(names[column], value=value, first=first):
+                        record, lines = self.drilled(column, value, first, last)
+                        lost = numpy.isnan(record.signals[names[column]])
+                        self.assertEqual((40, 40), (lost.sum(), lost[first:last].sum()))
+                        self.assertTrue(any("first: " in line and "r.csv:%d)" % (first + 2) in line for line in lines), lines)
+
+    def test_a_small_value_that_is_one_stays(self):
+        """The gauge of a pump's flow that shows -1 and 1 at rest; a block that stays at 1 m."""
+        rows = trip()
+        still = numpy.flatnonzero(rows[:, 8] == 0.0)
+        rows[still[::2], 8], rows[still[1::2], 8] = -1.0, 1.0
+        record, lines = self.told(rows)
+        self.assertEqual([], lines)
+        self.assertTrue(numpy.isfinite(record.signals["flow"]).all())
+        self.assertTrue(numpy.isfinite(self.told(trip())[0].signals["block_height"]).all())
+
+    def test_nothing_for_long_while_the_bit_moves(self):
+        for column, value, name, other in ((TORQUE, 0.0, "torque", "top_drive_speed"), (7, 0.0, "top_drive_speed", "torque"),
+                                           (8, 0.0, "flow", "stand_pipe_pressure"), (PRESSURE, 0.0, "stand_pipe_pressure", "flow")):
+            record, lines = self.drilled(column, value, 200, 240)
+            self.assertIn("%s: it is nothing from 1000 s on, for 195 s in which the bit moves 0.78 m and %s stays" % (name, other), lines[-1])
+            self.assertTrue(numpy.isfinite(record.signals[name]).all())
+
     def test_remarks_of_a_refused_record(self):
         """Each in a line before the refusal, but for what is in that already."""
         rows = trip()

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Signals of a record that cannot be of one rig, as where one of them is in another unit than its map or its header says: what each contradicts is another signal."""
 import numpy
+from drill_rig_sim.field.idle_signals import idle
 
 MOST_PUMPED = 5e6            # of three pumps of 2200 hp [W]
 MOST_TURNED = 2e6            # of the largest top drives [W]
@@ -19,7 +20,7 @@ RISES, SLOWEST = 5.0, 2e-3   # of a block [m], and a speed at which none is lift
 
 def contradictions(record):
     """Lines, one for each."""
-    return pump(record) + (loss(record) or low(record)) + trickle(record) + turning(record) + load(record) + growth(record) + lifting(record)
+    return pump(record) + (loss(record) or low(record)) + trickle(record) + turning(record) + load(record) + growth(record) + lifting(record) + idle(record)
 
 
 def both(record, *names):

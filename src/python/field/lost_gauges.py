@@ -1,15 +1,19 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Values of a record that no gauge measured: zeros of a gauge that was lost, the same value while the string moves, a single value far above all others."""
 import numpy
+from drill_rig_sim.field.signals import si_unit
 from drill_rig_sim.spans import spans
 
 FAST = 2.5           # speed at which a block does not go to 0 and come back from there between rows [m/s]
 JUMP = 1.0           # and so far it has to go [m]
+NOTHING = (0.0, 1.0, -1.0, -0.5, 1e-4)  # that files write for no number, at their begin or end too [m]
 DEEP = 10.0          # by which a depth jumps more than the fastest block moves it [m]
 TOGETHER = 0.2, 0.1  # share of the block's way by which the bit's may differ, where the block moves the string, and what gauges add to that [m]
 HANGS = 0.6          # of the largest hook load, with which a string hangs on the hook
 APART = 0.3          # of bit and block, from which on the block has moved by itself [m]
 PIPE = 50.0          # of pipe in the hole has a weight that no gauge shows as 0 [m]
+NO_WEIGHT = 3.0      # of a metre of pipe in a fluid, a tenth of the lightest [N/m]
+DRILLED = 0.05       # by which a hole gets deeper under a string that hangs on the hook [m]
 LEAST_WAY, LEAST_STEPS = 0.5, 3  # of a moving string [m], and rows
 HELD = 60.0, 10      # time and rows over which a value is the same [s]
 LONGER, CHANCE = 5, 1e-9  # than the next longest of such times; that a gauge with this resolution shows one value so often
@@ -22,25 +26,38 @@ TURNING = 3.0        # rotation that makes a torque vary [rad/s]
 def leave_out_lost(time, signals, place):
     """Makes zeros nan that no gauge measured; lines on them. `place(k)`: where row k stands in its file."""
     return [line for name, rows_of, why in (
-        ("bit_depth", lambda: jumped_to_zero(time, signals["bit_depth"], 2.0 * FAST, DEEP), "to which no bit goes between rows"),
-        ("hole_depth", lambda: jumped_to_zero(time, signals["hole_depth"], 2.0 * FAST, DEEP), "to which no hole goes between rows"),
-        ("block_height", lambda: jumped_to_zero(time, signals["block_height"], FAST, 0.0, without_string(signals)), "to which no block goes between rows"),
-        ("hook_load", lambda: hung_at_zero(signals), "while the block moves the string")) if name in signals for line in left_out(signals, name, rows_of(), why, place)]
+        ("bit_depth", lambda: jumped_to_nothing(time, signals["bit_depth"], 2.0 * FAST, DEEP), "to which no bit goes between rows"),
+        ("hole_depth", lambda: jumped_to_nothing(time, signals["hole_depth"], 2.0 * FAST, DEEP), "to which no hole goes between rows"),
+        ("block_height", lambda: jumped_to_nothing(time, signals["block_height"], FAST, 0.0, without_string(signals)), "to which no block goes between rows"),
+        ("hook_load", lambda: hung_at_nothing(signals), "while the block moves the string")) if name in signals for line in left_out(signals, name, rows_of(), why, place)]
 
 
 def left_out(signals, name, rows, why, place):
-    """Makes the rows of a signal nan; a line on them."""
+    """Makes the rows of a signal nan; a line on them for each value."""
+    there = signals[name][rows]
     signals[name][rows] = numpy.nan
-    return ["%s: %d rows of exactly 0, %s, are no measurements (first: %s)" % (name, len(rows), why, place(rows[0]))] if len(rows) else []
+    return ["%s: %d rows of exactly %s, %s, are no measurements (first: %s)" %
+            (name, (there == value).sum(), "%.6g %s" % (value, si_unit(name)) if value else "0", why, place(rows[there == value][0])) for value in dict.fromkeys(there)]
 
 
-def jumped_to_zero(time, values, speed, beyond, cannot=lambda row, beside: False):
-    """Rows of exactly 0 to which and from which a value changes faster than it can: by JUMP, and either `cannot` or at a speed, and so much `beyond` that [m]."""
+def same(values, suits):
+    """(begin, end) of rows that suit and hold one value."""
+    found = []
+    for begin, end in spans(suits):
+        edges = [begin, *(begin + 1 + numpy.flatnonzero(numpy.diff(values[begin:end]))), end]
+        found += zip(edges, edges[1:])
+    return found
+
+
+def jumped_to_nothing(time, values, speed, beyond, cannot=lambda row, beside: False):
+    """Rows of one value near 0, as files write for none (0, 1, -0.5), to which and from which a signal changes faster than it can: by JUMP, and either `cannot` or at a
+    speed, and so much `beyond` that [m]."""
     known = numpy.flatnonzero(numpy.isfinite(values))
     at, there, found = time[known], values[known], []
-    for begin, end in spans(there == 0.0):
+    for begin, end in same(there, numpy.abs(there) <= JUMP):
         sides = [(row, beside) for row, beside in ((begin, begin - 1), (end - 1, end)) if 0 <= beside < len(known)]
-        if sides and all(abs(there[beside]) > JUMP and (abs(there[beside]) > speed * abs(at[row] - at[beside]) + beyond or cannot(known[row], known[beside])) for row, beside in sides):
+        ways = [(abs(there[beside] - there[row]), speed * abs(at[row] - at[beside]) + beyond, row, beside) for row, beside in sides]
+        if (len(ways) == 2 or ways and there[begin] in NOTHING) and all(way > JUMP and (way > most or cannot(known[row], known[beside])) for way, most, row, beside in ways):
             found += list(known[begin:end])
     return numpy.array(found, int)
 
@@ -62,18 +79,19 @@ def way_of_string(signals):
     return numpy.where((numpy.abs(block + bit) <= TOGETHER[0] * numpy.abs(block)) | ((numpy.abs(block + bit) <= TOGETHER[1]) & (block * bit < 0.0)), block, 0.0)
 
 
-def hung_at_zero(signals):
-    """Rows with a hook load of exactly 0 while the block moves the string, and those on end before and after it until the block moves by itself: one row may be that in which
+def hung_at_nothing(signals):
+    """Rows of one hook load of nothing while the block moves the string, and those on end before and after it until the block moves by itself: one row may be that in which
     the slips are pulled."""
     load, found = signals["hook_load"], []
     if "bit_depth" not in signals or "block_height" not in signals:
         return numpy.zeros(0, int)
-    bit, block = signals["bit_depth"], signals["block_height"]
-    for begin, end in spans((load == 0.0) & (bit > PIPE) & numpy.isfinite(block)):
+    bit, block, hole = signals["bit_depth"], signals["block_height"], signals.get("hole_depth", numpy.zeros(len(load)))
+    for begin, end in same(load, (load >= 0.0) & (load < NO_WEIGHT * bit) & (bit > PIPE) & numpy.isfinite(block)):
         while begin < end:
             last = begin + int(numpy.argmin(numpy.append(numpy.abs((bit + block)[begin:end] - bit[begin] - block[begin]) < APART, False)))
             there = block[begin:last]
-            if numpy.ptp(there) >= LEAST_WAY and (numpy.diff(there) != 0.0).sum() >= LEAST_STEPS:
+            moved = numpy.ptp(there) >= LEAST_WAY or numpy.ptp(numpy.nan_to_num(hole[begin:last])) >= DRILLED
+            if moved and (numpy.diff(there) != 0.0).sum() >= LEAST_STEPS:
                 found += list(range(begin, last))
             begin = last
     return numpy.array(found, int)

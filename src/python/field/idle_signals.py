@@ -1,0 +1,38 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Signals of a record that are nothing for long, while the bit moves and what goes with them stays: a gauge that was lost, or a true value beside one that hangs."""
+import numpy
+from drill_rig_sim.spans import spans
+
+NOTHING, RUNS = 0.02, 0.2      # of the largest value, up to which a signal is nothing, and above which it is not
+STAYS = 0.8                    # of what goes with it, of the usual value where the signal is not nothing
+LONG, WAY = 60.0, 0.3          # time [s], and way of the bit or growth of the hole in it [m]
+DEPTHS = ("bit_depth", "hole_depth")
+# signal, what goes with it, and the depths that show that it cannot be nothing: a string turns without torque where it does not drill
+TOGETHER = (("flow", "stand_pipe_pressure", DEPTHS), ("stand_pipe_pressure", "flow", DEPTHS), ("top_drive_speed", "torque", DEPTHS), ("torque", "top_drive_speed", DEPTHS[1:]))
+
+
+def idle(record):
+    """Lines, one for each signal."""
+    lines = []
+    for signal, other, depths in TOGETHER:
+        found = idle_spans(record, signal, other, depths) if signal in record and other in record else []
+        if found:
+            begin, end, way = found[0]
+            lines.append("%s: it is nothing from %.6g s on, for %.4g s in which the bit moves %.3g m and %s stays (%d such times); if it was not measured there, leave these rows out or empty" %
+                         (signal, record.time[begin], record.time[end - 1] - record.time[begin], way, other, len(found)))
+    return lines
+
+
+def idle_spans(record, signal, other, depths):
+    """(begin, end, way) of runs of rows."""
+    sizes, beside = (numpy.abs(numpy.nan_to_num(record.signals[name])) for name in (signal, other))
+    running = beside[sizes > RUNS * sizes.max()]
+    usual = float(numpy.median(running)) if len(running) else 0.0
+    rows = numpy.isfinite(record.signals[signal]) & (sizes <= NOTHING * sizes.max()) & (beside >= STAYS * usual)
+    found = [(begin, end, way_in(record, begin, end, depths)) for begin, end in spans(rows if usual > 0.0 else numpy.zeros(len(rows), bool)) if record.time[end - 1] - record.time[begin] >= LONG]
+    return [one for one in found if one[2] >= WAY]
+
+
+def way_in(record, begin, end, depths):
+    ways = [numpy.ptp(values[numpy.isfinite(values)]) for values in (record.signals[name][begin:end] for name in depths if name in record) if numpy.isfinite(values).any()]
+    return max(ways, default=0.0)
