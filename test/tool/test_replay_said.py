@@ -59,6 +59,16 @@ class Said(InFolder):
             else:
                 check(record)
 
+    def test_gaps(self):
+        """Each is played through; one line says how many there are and how."""
+        for missing, said, played in (((), [], []), ((range(40, 60),), ["a gap of 21 s from 39 s on"], ["1 gaps, 21 s in all: block"]),
+                                      ((range(10, 20), range(40, 60)), ["a gap of 21 s from 39 s on, the longest of 2, of 32 s in all"], ["2 gaps, 32 s in all: block"])):
+            rows = [k for k in range(80) if not any(k in part for part in missing)]
+            record = read_record(self.file("g.csv", "time,reading_block_height,reading_hook_load\n" + "".join("%d,20,2e5\n" % k for k in rows)))
+            self.assertEqual(said, [line.partition(": ")[2] for line in record.remarks if "gap" in line])
+            lines = [line.partition(": ")[2] for line in play(Simulator(QUICK), record).remarks if "straight lines" in line]
+            self.assertEqual(played, [line[:len(played[0])] for line in lines])
+
     def test_pipe_that_is_moved_in_a_gap_is_refused(self):
         columns = self.file("m.yaml", "time: {column: t, unit: s}\nblock_height: {column: b, unit: m}\nhook_load: {column: h, unit: kN}\nbit_depth: {column: d, unit: m}\n")
         rows = [(5 * k + 200 * (k > 20), 20.0 - 8.0 * (k > 20), 900.0, 1000.0 - 6.0 * (k > 20)) for k in range(40)]

@@ -17,7 +17,7 @@ from drill_rig_sim.field.follow import rows_at_turns
 from drill_rig_sim.field.motions import MOTIONS, WAYS, drag_of_unknown_speeds, shown
 from drill_rig_sim.field.pipe import compared, standstills
 from drill_rig_sim.field.record import COMPARED
-from drill_rig_sim.field.replay import check, play
+from drill_rig_sim.field.replay import check, over_gaps, play
 from drill_rig_sim.field.start import on_hook, start_keys
 from drill_rig_sim.field.window import inside
 from drill_rig_sim.lockstep import Refused
@@ -47,7 +47,7 @@ class RecordModel:
         self.record, hung_lines = on_hook(record, period.begin, period.end)
         check(self.record)
         keys, lines = start_keys(scene, self.record, period.start_from)
-        self.remarks = record.remarks + lines + hung_lines
+        self.remarks = record.remarks + ["%s: %s" % (record.name, line) for line in over_gaps(self.record)] + lines + hung_lines
         keys["numerics.companion"] = "none"  # a fit compares many runs with one record: their own errors are not measured
         self.names = [name for name in COMPARED if name in record and (not signals or name in signals)]
         if not self.names:

@@ -188,10 +188,10 @@ def remarks_of(record):
     spacing = float(numpy.median(numpy.diff(record.time)))
     if not SPACINGS[0] <= spacing <= SPACINGS[1]:
         lines.append("its rows are %.3g s apart; check the unit of the time" % spacing)
-    longest, begin = longest_step(record.time)
-    if longest > long_step(record.time):
+    gaps, (longest, begin) = gaps_in(record.time), longest_step(record.time)
+    if len(gaps):
         by_clock = record.begin is not None and is_clock_change(longest, spacing)
-        lines.append("a gap of %.4g s from %.6g s on%s" % (longest, begin, ", the hour by which clocks are put forward; are the times those of one zone?" if by_clock else ""))
+        lines.append("a gap of %.4g s from %.6g s on%s%s" % (longest, begin, ", the longest of %d, of %.4g s in all" % (len(gaps), gaps.sum()) if len(gaps) > 1 else "", ", the hour by which clocks are put forward; are the times those of one zone?" if by_clock else ""))
     lines += ["%s is %.4g times as large from %.6g s on, as if its unit changed from %s to %s; check its values before that time and after it" %
               (signal, ratio, record.time[row], before, after) for signal, row, ratio, before, after in unit_changes(record.time, record.signals)]
     lines += below_bottom(record) + unlikely(record) + fast_block(record) + far_loads(record) + contradictions(record)
@@ -269,6 +269,12 @@ def longest_step(time):
     steps = numpy.diff(time)
     longest = int(steps.argmax())
     return steps[longest], time[longest]
+
+
+def gaps_in(time):
+    """Lengths of the gaps between rows that are reported [s]."""
+    steps = numpy.diff(time)
+    return steps[steps > long_step(time)]
 
 
 def long_step(time):

@@ -6,7 +6,7 @@ import numpy
 from drill_rig_sim.control import driven
 from drill_rig_sim.field.follow import PATIENCE, Follow
 from drill_rig_sim.field.pipe import Slip, check_connections, check_directions, check_scale, clock, compared, pipe_events
-from drill_rig_sim.field.record import COMPARED, RecordError
+from drill_rig_sim.field.record import COMPARED, RecordError, gaps_in
 from drill_rig_sim.field.window import inside
 from drill_rig_sim.law import RPM
 from drill_rig_sim.refusal import after
@@ -146,6 +146,12 @@ def events_of(record, law):
         "at %.1f s the bit depth changes by %.2f m while the block does not: taken as a slip of the depth tracking" % (clock(record, one.row), one.length) for one in slips]
 
 
+def over_gaps(record):
+    """A line where rows are so far apart that what the rig did between them is not known."""
+    gaps = gaps_in(record.time)
+    return ["%d gaps, %.4g s in all: block, top drive and pump go through them on straight lines; the rows after them may be off by what was done there" % (len(gaps), gaps.sum())] if len(gaps) else []
+
+
 def run_up(rig, record):
     """Brings pump and top drive to where the record begins, while the block stands; lines on it."""
     speed, flow = (float(record.at(signal, 0.0)) if signal in record else 0.0 for signal in ("top_drive_speed", "flow"))
@@ -165,7 +171,7 @@ def play(rig, record, left_out=(), tell=lambda done, whole: None):
     check(record)
     remarks = check_start(record, rig)
     law = Follow(record, rig)
-    remarks += events_of(record, law) + beyond_limits(record, rig) + run_up(rig, record)
+    remarks += over_gaps(record) + events_of(record, law) + beyond_limits(record, rig) + run_up(rig, record)
     signals = [name for name in COMPARED if name in record]
     shown, warnings, errors = [[getattr(rig.state, name) for name in signals]], Warnings(), MeasuredErrors()
     with after(lambda: ["%s: %s" % (record.name, line) for line in remarks]):
