@@ -21,6 +21,7 @@ DOWNHOLE = set("mwd lwd downhole dh bit bha motor annular annulus choke kill cem
 # what else names in brackets say that changes no number
 HARMLESS = set("avg average averaged mean ave surface surf meas measured md gauge sensor reading readings raw rig instantaneous inst current actual act real time realtime total in into well hole string "
                "top drive td rotary pump pumps pipe drill block hook bit depth along ahd live edr primary main value s sec second seconds min utc gmt".split())
+UNDIRECTED = set("flow caudal gasto debit vazao portata debiet".split())  # that may be into the well or out of it
 DIFFERS = 0.02  # from 1, of the ratio of two columns of one name
 MOST_SHOWN = 12  # names of columns in a line
 TRUTH = {"time", "hook_load", "bit_torque", "bit_up"}  # names that drill run --csv writes and no rig
@@ -123,7 +124,7 @@ def known_columns(table, remarks, mapped, taken):
             passed = [table.names[place] for place in places if table.names[place] != found[signal].names[0]]
             remarks += ["%s is taken from %s; not used: %s" % (signal, found[signal].names[0], ", ".join(passed))] if passed else []
             remarks += unread_of(found[signal].names[0], signal)
-            remarks += ["%s is read as the flow into the well" % found[signal].names[0]] if word(bare(found[signal].names[0])) == "flow" else []
+            remarks += ["%s is read as the flow into the well" % found[signal].names[0]] if word(bare(found[signal].names[0])) in UNDIRECTED else []
         elif "rpm" in words_in(table.names[places[0]]):
             found[signal] = Column([table.names[places[0]]], "rpm")
             remarks.append("%s: %s has no unit and is read as rpm" % (signal, table.names[places[0]]))

@@ -43,7 +43,7 @@ def part_of(table, columns=None):
     take_title_units(table, mapped, remarks)
     wanted = columns_of(table, mapped, remarks)
     if "time" not in wanted:
-        raise RecordError("%s: no column is recognised as the time; columns: %s; needed: a map, --columns" % (table.file, table.header()))
+        raise RecordError("%s: no column is recognised as the time; columns: %s; needed: a map, --columns%s" % (table.file, table.header(), encoding_choice(table)))
     take_flags(table, wanted, columns.quality if columns else {}, remarks)
     signals = {}
     time, dated, zoned, offset = times_of(table, wanted["time"], "time" in mapped, remarks)
@@ -62,6 +62,12 @@ def part_of(table, columns=None):
         rows = rows[::-1]
     signals = {"time": time[rows], **{signal: values[rows] for signal, values in signals.items()}}
     return Part(table, signals, dated, zoned, offset, rows, remarks)
+
+
+def encoding_choice(table):
+    """The end of a refusal of names that were read by a guess of their encoding."""
+    guess = next((line.partition("read as ")[2] for line in table.remarks if "is not UTF-8; read as " in line and not table.header().isascii()), "")
+    return ", or the file in UTF-8 where its letters are wrong here (it is not UTF-8 and was read as %s)" % guess if guess else ""
 
 
 def of_others(table, signals, remarks):
@@ -299,7 +305,7 @@ def leave_out_likely_nulls(table, name, raw, remarks):
     others = sizes[numpy.isfinite(sizes) & ~odd]
     if not len(others):
         return
-    with numpy.errstate(invalid="ignore"):
+    with numpy.errstate(invalid="ignore", over="ignore"):
         odd = numpy.flatnonzero(odd & ((sizes >= ALONE * others.max()) | (ALONE * sizes <= others.min())))
     if len(odd):
         remarks.append("%s: %d values such as %g are far from all others and are treated as null values (first: %s)" % (name, len(odd), raw[odd[0]], table.place(odd[0])))
@@ -325,8 +331,8 @@ def leave_out_drop_outs(table, name, values, remarks):
 def in_range(table, signal, name, unit, raw, factor, remarks):
     """In SI, without what no gauge can have measured, which is reported with its row; RecordError where that is most of it."""
     _, least, most = SIGNALS[signal]
-    values = factor * raw
-    with numpy.errstate(invalid="ignore"):
+    with numpy.errstate(invalid="ignore", over="ignore"):  # 1.7e308 stands for no number
+        values = factor * raw
         odd = numpy.flatnonzero((values < least) | (values > most))
     if not len(odd):
         return values
