@@ -57,6 +57,11 @@ class Units(Folder):
         self.reported(["flow: its largest value is 0.000556 m3/s while the stand pipe has up to 21.3 MPa"], flow=1.0 / 60.0)
         self.reported(["stand_pipe_pressure and flow: together up to 5.61 MW, more than the pumps of a rig have (5 MW)"], flow=7.9)
 
+    def test_flow_through_the_bit(self):
+        """2000 L/min as 120 m3/h called L/min: 2 L/s at 21 MPa is a hole of 9.7 mm2. A slim hole's 2.5 L/s at 6 MPa need 23 mm2."""
+        self.reported(["flow: it is usually 0.002 m3/s at 21.1 MPa, less than the smallest nozzles of a bit let through"], flow=0.06)
+        self.assertFalse(any("nozzles" in remark for remark in self.read(well(flow=0.075, stand_pipe_pressure=0.28)).remarks))
+
     def test_rotary_speed_and_torque(self):
         self.reported(["top_drive_speed: its largest value is 41.9 rad/s, faster than top drives turn"], top_drive_speed=400.0 / 120.0)
         self.reported(["torque: its largest value is 15.4 N.m while 3001 m of pipe turn"], torque=1e-3)

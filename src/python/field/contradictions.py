@@ -11,6 +11,7 @@ WATER, VISCOSITY = 1e3, 1e-3  # [kg/m3], [Pa s]
 RUNS = 5e-3                  # of a flow [m3/s]
 FULL, FAR_DOWN, LOW = 25e-3, 1500.0, 3e6  # flow of drilling [m3/s] with the bit so deep [m], and a pressure that bit, tools and pipe exceed then [Pa]
 SHUT_IN, TRICKLE = 3e6, 1e-3  # pressure that needs a flow [Pa], and less than a pump delivers [m3/s]
+SMALLEST = 1.5e-5            # of an opening, half of three nozzles of 4/32 in, that water goes through at the pressure of the stand pipe [m2]
 TURNS, IDLE, DEEP = 3.0, 50.0, 300.0  # rotary speed [rad/s] of a string so long [m] that has a larger torque [N m]
 LIGHTEST, HEAVIEST, HANGING = 30.0, 1200.0, 1.3e6  # weights of pipe in mud, of a horizontal well's and of 13 5/8 in casing [N/m], and of what hangs above it [N]
 FAR = 10.0                   # of the bit above a bottom that gets deeper [m]
@@ -65,7 +66,18 @@ def trickle(record):
     found = both(record, "stand_pipe_pressure", "flow")
     if found is None:
         return []
-    pressure, flow = found.max(axis=1)
+    return narrow(*found) or trickle_at(*found.max(axis=1))
+
+
+def narrow(pressure, flow):
+    """While the pump usually runs: by Bernoulli's equation, the whole pressure spent in the nozzles of a bit."""
+    pressure, flow = (values[(flow > 0.5 * flow.max()) & (pressure > SHUT_IN)] for values in (pressure, flow))
+    if not len(flow) or flow.max() < TRICKLE or numpy.median(flow * numpy.sqrt(0.5 * WATER / pressure)) > SMALLEST:
+        return []
+    return ["flow: it is usually %.3g m3/s at %.3g MPa, less than the smallest nozzles of a bit let through; is its unit right?" % (numpy.median(flow), numpy.median(pressure) / 1e6)]
+
+
+def trickle_at(pressure, flow):
     return ["flow: its largest value is %.3g m3/s while the stand pipe has up to %.3g MPa; is its unit right?" % (flow, pressure / 1e6)] if pressure > SHUT_IN and 0.0 < flow < TRICKLE else []
 
 
