@@ -150,13 +150,29 @@ class Weights(Folder):
         with_torque = "{file: t.csv, depth: {column: depth (m)}, rotating_after_up: {column: rotating_after_up (kN)}, torque: {column: torque (kN.m), unit: kN.m}}"
         numpy.testing.assert_array_equal(self.weights(moves, with_torque)[1]["torque"], [numpy.nan, 8e3])
 
+    def test_names_of_other_languages(self):
+        for names in ("Teufe (m),Hakenlast aufwärts (kN),Hakenlast abwärts (kN),Hakenlast drehend (kN)", "Profundidad (m),Subiendo (kN),Bajando (kN),Rotando (kN)",
+                      "Глубина (м),Вес при подъеме (кН),Вес при спуске (кН),Вес при вращении (кН)"):
+            depths, weights = self.weights(names + "\n600,400,380,390\n900,470,420,445\n", "{file: t.csv}")[:2]
+            numpy.testing.assert_allclose(depths, [600, 900], err_msg=names)
+            for name, there in (("pick_up", [400e3, 470e3]), ("slack_off", [380e3, 420e3]), ("rotating", [390e3, 445e3])):
+                numpy.testing.assert_allclose(weights[name], there, err_msg=names)
+
+    def test_units_in_the_cells(self):
+        text = "Depth,Pick up,Slack off\n" + "".join("%g m,%g kN,%g kN\n" % row for row in ((600, 400, 380), (900, 470, 420), (1200, 540, 470)))
+        depths, weights = self.weights(text, "{file: t.csv}")[:2]
+        numpy.testing.assert_allclose(depths, [600, 900, 1200])
+        numpy.testing.assert_allclose(weights["pick_up"], [400e3, 470e3, 540e3])
+        with self.assertRaisesRegex(RecordError, "t.csv:3: Pick up: 105 klbf is in another unit than the cells before .kN.; needed: one unit in a column"):
+            self.weights(text.replace("470 kN,420", "105 klbf,420"), "{file: t.csv}")
+
     def test_what_is_refused(self):
         for text, fit, said in (
                 (PLAIN.replace("SO", "S0"), FIT, "t.csv: there is no column SO; columns: MD, PU, S0"), (PLAIN.replace("SO", "PU"), FIT, "there are 2 columns PU"), ("MD,PU,SO\n", FIT, "t.csv: has no rows"),
                 (PLAIN, NO_UNITS, "MD has no unit in the file"), (PLAIN.replace("SO\n", "SO\nft,klbf,klbf\n"), FIT, "the map says m, the file ft"),
                 (PLAIN, FIT.replace("klbf}, s", "stone}, s"), "f.yaml:1: pick_up.unit: unit stone is not known for a force"), (PLAIN, FIT.replace("klbf}, s", "ton}, s"), "f.yaml:1: pick_up.unit: unit ton is ambiguous"),
                 (PLAIN.replace("900", "nan"), FIT, "t.csv:3: MD: nan is not a depth of a well"), (PLAIN.replace("900", ""), FIT, "t.csv:3: MD: an empty cell is not a depth"),
-                (PLAIN.replace("900", "-900"), FIT, "t.csv:3: MD: -900 is not a depth"), (PLAIN.replace("104.25", '"104,25"'), FIT, "t.csv:3: PU: 104,25 is not a number with a decimal point"),
+                (PLAIN.replace("900", "-900"), FIT, "t.csv:3: MD: -900 is not a depth"), (PLAIN.replace("900", "-1"), FIT, "t.csv:3: MD: -1 is not a depth of a well"), (PLAIN.replace("104.25", '"104,25"'), FIT, "t.csv:3: PU: 104,25 is not a number with a decimal point"),
                 (PLAIN.replace("104.25,", ""), FIT, "t.csv:3: has 2 cells, the header 3"), (PLAIN, "{file: t.csv, depth: {column: MD, unit: m}}", "needs depth and one or more of pick_up"),
                 (PLAIN, "{file: t.csv}", "t.csv: bit_depth: MD has no unit in the file"), (PLAIN.replace("MD", "X"), "{file: t.csv}", "f.yaml:1: needs depth and one or more of pick_up")):
             with self.assertRaises((PlanError, RecordError), msg=said) as caught:

@@ -30,7 +30,7 @@ class Languages(Folder):
     def test_a_guess_of_the_encoding_is_a_choice(self):
         """Chinese names in GBK are taken for latin-1."""
         path = self.file("r.csv", "时间 (s);大钩负荷 (kN)\n0;800\n1;800\n", "gbk")
-        with self.assertRaisesRegex(RecordError, "needed: a map, --columns, or the file in UTF-8 where its letters are wrong here .it is not UTF-8 and was read as latin-1.$"):
+        with self.assertRaisesRegex(RecordError, "needed: a map, --columns, or the file in UTF-8 where letters are wrong here .it is not UTF-8 and was read as latin-1.$"):
             read_record(path)
 
     def test_numbers_near_the_largest(self):

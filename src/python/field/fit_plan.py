@@ -5,6 +5,7 @@ import os
 import numpy
 from drill_rig_sim.campaign.plan_text import PlanError, plan_of
 from drill_rig_sim.campaign.scene_text import SceneText, SceneTextError, Times
+from drill_rig_sim.field.cell_units import take_units
 from drill_rig_sim.field.column_finder import NOT_MEASURED, VERTICAL
 from drill_rig_sim.field.columns import LAYOUT_KEYS, QUALITY, Column, check_unit, nulls_and_layout, nulls_of, quality_of
 from drill_rig_sim.field.fit import Parameter
@@ -14,7 +15,7 @@ from drill_rig_sim.field.motions import MOTIONS, WAYS
 from drill_rig_sim.field.native import of_module
 from drill_rig_sim.field.quality import take_flags
 from drill_rig_sim.field.record import COMPARED, RecordError, prefixed, read_record, read_table
-from drill_rig_sim.field.signal_reader import values_of
+from drill_rig_sim.field.signal_reader import encoding_choice, values_of
 from drill_rig_sim.field.signals import SIGNALS, words_in
 from drill_rig_sim.field.start import FROM
 from drill_rig_sim.field.table import bare
@@ -139,9 +140,10 @@ def weights_of(entry, base):
     nulls, layout = nulls_and_layout(parts)
     named = any(name not in WAYS for name in columns)
     table = read_table(os.path.join(base, parts["file"].text()), layout, [column.names[0] for column in columns.values()], None if named else OfWeights())
+    take_units(table)
     columns = {**known_ways(table), **({} if named else known_columns(table)), **columns}
     if "depth" not in columns or not any(name in MOTIONS for name in columns):
-        entry.fail("needs depth and one or more of %s; columns of %s: %s" % (", ".join(MOTIONS), table.file, table.header()))
+        entry.fail("needs depth and one or more of %s; columns of %s: %s%s" % (", ".join(MOTIONS), table.file, table.header(), encoding_choice(table)))
     with after(lambda: prefixed(table.file, table.remarks)):
         take_flags(table, columns, quality_of(parts), table.remarks)
         return weights_in(table, columns, nulls)
@@ -154,7 +156,7 @@ def weights_in(table, columns, nulls):
     depths, ways = found.pop("depth"), {name: found.pop(name) for name in WAYS if name in found}
     if not len(depths):
         raise RecordError("%s: has no rows" % table.file)
-    odd = numpy.flatnonzero(~numpy.isfinite(depths))
+    odd = numpy.flatnonzero(~(depths >= 0.0))
     if len(odd):
         cell = table.rows[odd[0]][table.column(columns["depth"].names[0])].strip()
         raise RecordError("%s: %s: %s is not a depth of a well" % (table.place(odd[0]), columns["depth"].names[0], cell or "an empty cell"))

@@ -67,7 +67,7 @@ def part_of(table, columns=None):
 def encoding_choice(table):
     """The end of a refusal of names that were read by a guess of their encoding."""
     guess = next((line.partition("read as ")[2] for line in table.remarks if "is not UTF-8; read as " in line and not table.header().isascii()), "")
-    return ", or the file in UTF-8 where its letters are wrong here (it is not UTF-8 and was read as %s)" % guess if guess else ""
+    return ", or the file in UTF-8 where letters are wrong here (it is not UTF-8 and was read as %s)" % guess if guess else ""
 
 
 def of_others(table, signals, remarks):
