@@ -182,6 +182,14 @@ class Lost(Folder):
             self.assertIn("%s: it is nothing from 1000 s on, for 195 s in which the bit moves 0.78 m and %s stays" % (name, other), lines[-1])
             self.assertTrue(numpy.isfinite(record.signals[name]).all())
 
+    def test_a_hook_load_of_nothing_without_a_bit_depth(self):
+        """While pump and top drive run, the string does not stand in the slips."""
+        names = ",".join(name for name in NAMES.split(",") if "Depth" not in name)
+        for load, speed, reported in ((0.0, 120.0, True), (1.0, 120.0, True), (1e-4, 120.0, True), (0.0, 0.0, False), (850.0, 120.0, False)):
+            rows = [[5.0 * k, 25.0 - 0.02 * k, load if 100 <= k < 140 else 900.0 + k % 7, 8.0 + 0.1 * (k % 4), 150.0, speed if 100 <= k < 140 else 120.0, 2000.0] for k in range(240)]
+            lines = self.read(text_of(numpy.array(rows), names)).remarks
+            self.assertEqual(reported, any("hook_load: it is nothing from 500 s on, for 195 s in which the block moves 0.78 m and top_drive_speed and flow stay" in line for line in lines), lines)
+
     def test_remarks_of_a_refused_record(self):
         """Each in a line before the refusal, but for what is in that already."""
         rows = trip()
