@@ -89,6 +89,13 @@ class Lost(Folder):
             lines = [line for line in self.told(rows)[1] if "falls to nothing" in line]
             self.assertEqual([], lines, columns)
 
+    def test_what_swings_through_nothing_stays(self):
+        """A torque that rings when the top drive starts, and a top drive that swings after it: rows near 0 are true."""
+        for column, values in ((TORQUE, (0.1, 2.6, 0.0, 1.9, 0.9)), (7, (20.0, 58.0, 0.0, 61.0, 25.0))):
+            rows = trip()
+            rows[8:13, column] = values
+            self.assertEqual([], [line for line in self.told(rows)[1] if "falls to nothing" in line])
+
     def test_zeros_of_the_slips_stay(self):
         """A gauge that is zeroed with the empty block, and lost for a while at the next stand: the zeros in the slips stay."""
         rows = trip()

@@ -6,6 +6,7 @@ from drill_rig_sim.spans import spans
 
 NOTHING = 0.02       # of the largest value, up to which a signal has fallen to nothing
 HIGH = 0.2           # of the largest value, above which it is before and after
+BESIDE = 2           # rows before and after that show that it is steady: what swings goes through 0 by itself
 LIKE = 0.3           # share by which values before, between and after may differ
 # signal, what stays as it was, and the longest time in which the signal cannot come back by itself [s]
 LOST = (("flow", "stand_pipe_pressure", 600.0), ("stand_pipe_pressure", "flow", 600.0), ("top_drive_speed", "torque", 30.0), ("torque", "top_drive_speed", 15.0))
@@ -26,11 +27,13 @@ def dropouts(time, signals, name, other, longest):
     known = numpy.flatnonzero(numpy.isfinite(sizes))
     there, found = sizes[known], []
     most = there.max() if len(there) else 0.0
+    filled = known[there > NOTHING * most]
     for begin, end in spans(there <= NOTHING * most):
         if begin == 0 or end == len(known):
             continue
         before, after, rows = known[begin - 1], known[end], known[begin:end]
-        back = min(sizes[before], sizes[after]) > HIGH * most and are_like(sizes[[before, after]])
+        sides = numpy.concatenate((filled[:numpy.searchsorted(filled, before) + 1][-BESIDE:], filled[numpy.searchsorted(filled, after):][:BESIDE]))
+        back = sizes[sides].min() > HIGH * most and are_like(sizes[sides])
         if back and time[after] - time[before] <= longest and stays(beside, before, after, rows):
             found += list(rows)
     return numpy.array(found, int)
