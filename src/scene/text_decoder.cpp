@@ -24,8 +24,9 @@ constexpr std::array<std::uint16_t, 64> windows_1251 = {
     0x0459, 0x203a, 0x045a, 0x045c, 0x045b, 0x045f, 0x00a0, 0x040e, 0x045e, 0x0408, 0x00a4, 0x0490, 0x00a6,
     0x00a7, 0x0401, 0x00a9, 0x0404, 0x00ab, 0x00ac, 0x00ad, 0x00ae, 0x0407, 0x00b0, 0x00b1, 0x0406, 0x0456,
     0x0491, 0x00b5, 0x00b6, 0x00b7, 0x0451, 0x2116, 0x0454, 0x00bb, 0x0458, 0x0405, 0x0455, 0x0457};
-constexpr std::size_t shortest_word = 4;  // that no other language writes with letters beyond ASCII alone
-constexpr double least_in_words = 0.7;    // share of such letters that stand in these words
+constexpr std::size_t sure_word = 4,
+                      word = 3;         // lengths of letters beyond ASCII alone; no other language writes words so long of them
+constexpr double least_in_words = 0.7;  // share of such letters that stand in words
 
 unsigned char byte_at(const std::string& bytes, std::size_t at)
 {
@@ -62,6 +63,7 @@ bool is_utf8(const std::string& bytes)
 bool is_cyrillic(const std::string& bytes)
 {
   std::size_t letters = 0, in_words = 0, length = 0;
+  bool sure = false;
   for (std::size_t i = 0; i <= bytes.size(); ++i)
   {
     if (i < bytes.size() && byte_at(bytes, i) >= 0xc0)
@@ -70,10 +72,11 @@ bool is_cyrillic(const std::string& bytes)
       continue;
     }
     letters += length;
-    if (length >= shortest_word) in_words += length;
+    if (length >= word) in_words += length;
+    sure = sure || length >= sure_word;
     length = 0;
   }
-  return in_words > 0 && static_cast<double>(in_words) >= least_in_words * static_cast<double>(letters);
+  return sure && static_cast<double>(in_words) >= least_in_words * static_cast<double>(letters);
 }
 
 std::uint32_t latin(std::uint32_t byte)

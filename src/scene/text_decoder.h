@@ -17,7 +17,7 @@ struct DecodedText
 };
 
 /// Text out of UTF-8 with or without a byte order mark, UTF-16 with one, or else latin-1 (windows-1252), in which any bytes are a
-/// text; windows-1251 where most bytes beyond ASCII stand in words of four and more, as Cyrillic letters do. NUL bytes are in no
+/// text; windows-1251 where most bytes beyond ASCII stand in words of three and more, as Cyrillic letters do. NUL bytes are in no
 /// text: UTF-16 without its mark, UTF-32 and binary files are known by them.
 DecodedText decode_text(std::string bytes);
 

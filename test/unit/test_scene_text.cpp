@@ -79,6 +79,8 @@ TEST(SceneText, CyrillicWordsAreWindows1251)
   const DecodedText decoded = decode_text("\xc0\xe7\xe8\xec\xf3\xf2 (\xb0) \xb9 1;\xb8\n");
   EXPECT_EQ("windows-1251 (Cyrillic)", decoded.taken_as);
   EXPECT_EQ("Азимут (°) № 1;ё\n", decoded.text);
+  EXPECT_NE("latin-1", decode_text("\xc2\xe5\xf1 \xef\xf0\xe8 \xef\xee\xe4\xfa\xe5\xec\xe5, \xea\xcd; \xea\xcd\xec").taken_as)
+      << "Вес при подъеме, кН; кНм";
   for (const char* latin : {"Gr\xf6\xdf"
                             "e (\xb0)",
                             "d\xe9riv\xe9"
