@@ -170,7 +170,7 @@ const Table<MudSpec> mud_keys = {"mud", "The drilling fluid around and inside th
       "viscous drag for motion along the string", no_kind, every_kind, "by the viscosity, for a wave of 1 Hz: 6.3 for 5 in pipe"},
   {"lateral_damping",       "N s/m per m", &MudSpec::lateral_damping,      between(0.0, 1e5),
       "viscous drag for motion across the string, the part proportional to speed", no_kind, every_kind,
-      "by the viscosity, for a wave of 1 Hz: 19 for 5 in pipe in an 8 1/2 in hole"},
+      "by the viscosity, for a swing of 5 Hz: 43 for 5 in pipe in an 8 1/2 in hole"},
   {"drag_coefficient",      "-",      &MudSpec::drag_coefficient,          between(0.0, 10.0),
       "drag coefficient C_d for motion across the string, the part proportional to the square of the speed"},
   {"torsional_damping",     "N m s/rad per m", &MudSpec::torsional_damping, between(0.0, 100.0),

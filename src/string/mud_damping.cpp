@@ -11,9 +11,10 @@ namespace drill_rig_sim
 {
 namespace
 {
-constexpr double wave_frequency = 2.0 * pi * 1.0;  // [rad/s]
-constexpr double narrowest = 1e-3;                 // gap that pipe in the middle of its hole leaves [m]
-constexpr double closest_fit = 2.0 / 3.0;          // (D/D_h)^2
+constexpr double wave_frequency = 2.0 * pi * 1.0;   // along and about the string [rad/s]
+constexpr double swing_frequency = 2.0 * pi * 5.0;  // across it [rad/s]
+constexpr double narrowest = 1e-3;                  // gap that pipe in the middle of its hole leaves [m]
+constexpr double closest_fit = 2.0 / 3.0;           // (D/D_h)^2
 
 /// Weighted means over a node's share.
 struct Share
@@ -44,7 +45,7 @@ MudDamping mud_damping(const MudSpec& mud, double outer, double inner, double ho
   const double annulus = mud.viscosity * std::real(k / std::tanh(k * gap));
   const double bore = mud.viscosity * std::real(k * std::tanh(k * (0.5 * inner)));
   const double fit = std::min(outer * outer / (hole * hole), closest_fit);
-  const double layer = std::sqrt(0.5 * mud.density * mud.viscosity * wave_frequency);
+  const double layer = std::sqrt(0.5 * mud.density * mud.viscosity * swing_frequency);
   MudDamping drag;
   drag.along = pi * (outer * annulus + inner * bore);
   drag.about = 0.25 * pi * (outer * outer * outer * annulus + inner * inner * inner * bore);
