@@ -105,6 +105,6 @@ TEST(MudDamping, keysStandOverTheViscosityZeroIncluded)
     EXPECT_EQ(node.mud_about, 0.5 * node.length);
   }
   const MeshNode& pipe = mesh.nodes[mesh.nodes.size() / 2];
-  EXPECT_NEAR(pipe.mud_across / pipe.length, 19.1, 0.1);
+  EXPECT_NEAR(pipe.mud_across / pipe.length, 42.7, 0.1);
 }
 }  // namespace test_string_mud_damping
