@@ -30,16 +30,11 @@ Eigen::Vector3d direction_of(const SurveyStation& station)
   return tangent_from(station.inclination, station.azimuth);
 }
 
-double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
-{
-  return std::atan2(a.cross(b).norm(), a.dot(b));
-}
-
 Offset offset_of(const SurveyStation& above, const SurveyStation& station, const SurveyStation& below)
 {
   const double share = (station.md - above.md) / (below.md - above.md);
   const Eigen::Vector3d a = direction_of(above), b = direction_of(below);
-  const Eigen::Vector3d between = (1.0 - share) * a + share * b;
+  const Eigen::Vector3d between = ((1.0 - share) * a + share * b).normalized();
   return {angle_between(between, direction_of(station)), angle_between(a, b)};
 }
 

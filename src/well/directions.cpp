@@ -28,6 +28,11 @@ ToolfaceReference reference(const Eigen::Vector3d& tangent, bool magnetic) noexc
 }
 }  // namespace
 
+double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) noexcept
+{
+  return 2.0 * std::atan2((b - a).norm(), (b + a).norm());
+}
+
 double sinc(double x) noexcept
 {
   const double x2 = x * x;  // the series' next term is below round-off at the switch

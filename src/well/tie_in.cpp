@@ -29,11 +29,6 @@ struct Hole
   double length() const { return 2.0 * straight + middle - 4.0 * rounding + first_arc + second_arc; }
 };
 
-double angle_between(const Vector3d& a, const Vector3d& b)
-{
-  return 2.0 * std::atan2((b - a).norm(), (b + a).norm());
-}
-
 double arc_length(double angle, double rounding)
 {
   return angle < 1e-9 ? 2.0 * rounding : rounding * angle / std::tan(0.5 * angle);

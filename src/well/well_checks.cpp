@@ -15,10 +15,9 @@ namespace
 {
 constexpr double sharpest_turn = 179.9 * degree;
 
-double angle_between(const SurveyStation& a, const SurveyStation& b)
+double turn_between(const SurveyStation& a, const SurveyStation& b)
 {
-  const Eigen::Vector3d from = tangent_from(a.inclination, a.azimuth), to = tangent_from(b.inclination, b.azimuth);
-  return 2.0 * std::atan2((to - from).norm(), (to + from).norm());
+  return angle_between(tangent_from(a.inclination, a.azimuth), tangent_from(b.inclination, b.azimuth));
 }
 
 std::string length_in(const LengthUnit& unit, double value)
@@ -83,7 +82,7 @@ std::string problem_between(const SurveyStation& before, const SurveyStation& s,
   if (s.md - before.md < least_station_spacing * (1.0 - 1e-6))
     return "md " + length_in(unit, s.md) + " is too close to the station before it, " + length_in(unit, before.md) +
            ", allowed: " + length_in(unit, least_station_spacing) + " or more between stations";
-  if (angle_between(before, s) > sharpest_turn)
+  if (turn_between(before, s) > sharpest_turn)
     return "the direction is opposite to that of the station before it, allowed: a turn of up to 179.9 deg";
   return "";
 }

@@ -28,6 +28,9 @@ Eigen::Vector3d north_side(const Eigen::Vector3d& tangent) noexcept;
 /// `reference` is perpendicular to t; 0 where `vector` is along t.
 double angle_about(const Eigen::Vector3d& tangent, const Eigen::Vector3d& reference, const Eigen::Vector3d& vector) noexcept;
 
+/// Angle between two unit vectors [rad], 0 .. pi: 2 atan2(|b - a|, |b + a|), exact near 0 and pi too.
+double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) noexcept;
+
 /// sin(x)/x, by its series near 0.
 double sinc(double x) noexcept;
 
