@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "drill_rig_sim/crew/rig_controls.h"
 #include "drill_rig_sim/instruments/zero_mean.h"
@@ -46,6 +47,15 @@ double turn_between(double from, double to) noexcept
 }
 }  // namespace
 
+std::string text_of(const HungUp& hung_up)
+{
+  if (hung_up.number == 0) return "";
+  char text[120];
+  std::snprintf(text, sizeof text, "number %d, tag, ended %.2f m above the bottom: drag or an obstacle took its weight",
+                hung_up.number, hung_up.above);
+  return text;
+}
+
 std::size_t operations_over(const std::vector<double>& began) noexcept
 {
   std::size_t over = 0;
@@ -81,6 +91,7 @@ void OperationsPlayer::rewind() noexcept
 {
   next_ = 0;
   trouble_ = OperationTrouble::none;
+  hung_up_ = HungUp();
   pressure_ = PressureTrend();
   std::fill(began_.begin(), began_.end(), Operation::unset);
 }
@@ -89,6 +100,7 @@ OperationStatus OperationsPlayer::status() const noexcept
 {
   OperationStatus status;
   status.count = static_cast<int>(operations_.size());
+  status.hung_up = hung_up_;
   if (finished()) return status;
   status.number = static_cast<int>(next_) + 1;
   status.kind = operations_[next_].kind;
@@ -121,6 +133,7 @@ void OperationsPlayer::apply(RigControls& rig) noexcept
     if (trouble_ != OperationTrouble::none) return stop(rig);
     progress_ = progress(rig);
     if (progress_ < 1.0) return;
+    note_hang_up(rig.readings());
     end(rig);
     ++next_;
     if (finished()) began_[next_] = rig.truth().time;
@@ -314,6 +327,12 @@ void OperationsPlayer::follow_toolface(RigControls& rig) noexcept
   drive.amplitude_right = o.amplitude_right;
   drive.amplitude_left = o.amplitude_left;
   if (!(drive == rig.asked().top_drive)) rig.command(drive);
+}
+
+void OperationsPlayer::note_hang_up(const Readings& now) noexcept
+{
+  const double above = now.hole_depth - now.bit_depth;
+  if (operations_[next_].kind == OperationKind::tag && above > hangs_up) hung_up_ = {static_cast<int>(next_) + 1, above};
 }
 
 void OperationsPlayer::end(RigControls& rig) const noexcept

@@ -26,6 +26,9 @@ void DiagnosticsPublisher::publish()
   const std::string trouble = trouble_of(frame.operation);
   if (trouble != trouble_ && !trouble.empty()) ROS_ERROR_STREAM(trouble);
   trouble_ = trouble;
+  const std::string hung_up = text_of(frame.operation.hung_up);
+  if (hung_up != hung_up_ && !hung_up.empty()) ROS_WARN_STREAM("operations: " << hung_up);
+  hung_up_ = hung_up;
   diagnostics_.publish(report_.on(frame, refusals_, clock_trouble_(), steady_now(), senders_.trouble(ros::SteadyTime::now())));
 }
 

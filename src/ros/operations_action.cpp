@@ -17,9 +17,11 @@ constexpr double feedback_period = 0.2;  // of simulated time [s]
 
 constexpr char replaced[] = "another rig, well or saved state has taken the place of this one";
 
-std::string finished(int count)
+std::string finished(const OperationStatus& operation)
 {
-  return count == 1 ? "1 operation is finished" : std::to_string(count) + " operations are finished";
+  const std::string hung_up = text_of(operation.hung_up);
+  return (operation.count == 1 ? "1 operation is finished" : std::to_string(operation.count) + " operations are finished") +
+         (hung_up.empty() ? "" : "; " + hung_up);
 }
 
 RunOperationsFeedback feedback_of(const OperationStatus& operation, const std::string& what, const Readings& readings)
@@ -134,7 +136,7 @@ void OperationsAction::follow(const FrameRecord& frame)
   if (!frame.playing) return end(false, "a command on a topic has taken over the rig");
   const OperationStatus& operation = frame.operation;
   if (operation.trouble != OperationTrouble::none) return end(false, trouble_of(operation));
-  if (operation.number == 0) return end(true, finished(operation.count));
+  if (operation.number == 0) return end(true, finished(operation));
   if (operation.number != told_number_ || std::abs(now - told_at_) >= feedback_period) give_feedback(frame);
 }
 

@@ -177,6 +177,8 @@ Json json_of(const std::vector<Operation>& operations, const RunRecord& record)
   }
   for (const FeedLimits::Entry& entry : record.feed.entries())
     if (entry.is_reported()) list[entry.operation]["limited_by_speed"] = entry.limited;
+  const HungUp& hung_up = record.operation.hung_up;
+  if (hung_up.number > 0) list[static_cast<std::size_t>(hung_up.number) - 1]["ended_above_bottom"] = hung_up.above;
   if (record.operation.trouble != OperationTrouble::none) list.back()["given_up"] = text_of(record.operation.trouble);
   return list;
 }
@@ -185,6 +187,7 @@ void print_operations(const std::vector<Operation>& operations, const RunRecord&
 {
   const std::vector<double>& began = record.operations_began;
   if (operations.empty()) return;
+  if (record.operation.hung_up.number > 0) std::printf("operations: %s\n", text_of(record.operation.hung_up).c_str());
   const std::size_t i = operations_over(began);
   if (i == operations.size())
     std::printf("operations: all %zu over at %.1f s\n", i, began[i]);

@@ -122,6 +122,8 @@ TEST(Tag, tagEndsWhereTheStringHangsUp)
   EXPECT_TRUE(player.finished());
   EXPECT_TRUE(rig.setpoints().winch.brake);
   EXPECT_LT(rig.readings().bit_depth, 991.0);
+  EXPECT_EQ(player.operations().status().hung_up.number, 1);
+  EXPECT_NEAR(player.operations().status().hung_up.above, rig.readings().hole_depth - rig.readings().bit_depth, 0.01);
 }
 
 // The pumped mud lifts the string, by 16 kN here; its pressure takes half a minute to come.

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "drill_rig_sim/crew/bottom_approach.h"
@@ -18,6 +19,23 @@ namespace drill_rig_sim
 class RigControls;
 struct Readings;
 
+/// A tag whose load fell by its weight with the bit above the bottom, by the readings: drag, or an obstacle.
+struct HungUp
+{
+  int number = 0;      ///< of the operation, counted from 1; 0: none
+  double above = 0.0;  ///< of the bit over the bottom [m]
+
+  template <class V>
+  void visit(V& v)
+  {
+    v("number", number);
+    v("above", above);
+  }
+};
+
+/// "number 2, tag, ended 0.50 m above the bottom: ..."; empty for none. Allocates.
+std::string text_of(const HungUp& hung_up);
+
 /// What the driller is about.
 struct OperationStatus
 {
@@ -27,6 +45,7 @@ struct OperationStatus
   double progress = 0.0;  ///< towards the end that is nearest, 0 to 1
   OperationTrouble trouble =
       OperationTrouble::none;  ///< why it was given up; the block is braked then, and no other operation begins
+  HungUp hung_up;              ///< the last tag that ended off bottom
 };
 
 /// Operations that are over, by when they began (OperationsPlayer::began()).
@@ -88,6 +107,7 @@ public:
   static constexpr double toolface_settles = 8.0;   ///< [s]
   static constexpr double tag_settles = 10.0;       ///< [s]
   static constexpr double pressure_settles = 60.0;  ///< how much longer tag waits for a steady pressure, at most [s]
+  static constexpr double hangs_up = 0.1;           ///< least height of the bit over the bottom that is no tag of it [m]
 
   /// Works out stiffness and mass of the string. Allocates; nothing else here does.
   explicit OperationsPlayer(const Scene& scene);
@@ -127,6 +147,7 @@ public:
     v("watch", watch_);
     v("trouble", trouble_);
     v("pressure", pressure_);
+    v("hung_up", hung_up_);
   }
 
 private:
@@ -142,6 +163,7 @@ private:
   bool waits_for_pressure(const Readings& now) const noexcept;
   void follow_trip(RigControls& rig) noexcept;
   void follow_toolface(RigControls& rig) noexcept;
+  void note_hang_up(const Readings& now) noexcept;
   void end(RigControls& rig) const noexcept;
   double progress(const RigControls& rig) const noexcept;
   double rise(const Readings& now) const noexcept;
@@ -171,6 +193,7 @@ private:
   double turned_at_ = 0.0;  // when it did [s]
   std::uint64_t toolface_seen_ = 0;
   double progress_ = 0.0;
+  HungUp hung_up_;
 };
 
 }  // namespace drill_rig_sim

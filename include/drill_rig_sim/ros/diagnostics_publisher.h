@@ -34,6 +34,7 @@ private:
   std::function<std::string()> clock_trouble_;
   std::mutex mutex_;     // guards what follows: a change of state reports from another thread
   std::string trouble_;  // of the operations, logged once
+  std::string hung_up_;  // likewise
   DiagnosticsReport report_;
   ros::Publisher diagnostics_;
   ros::WallTimer timer_;
