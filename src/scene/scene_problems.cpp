@@ -199,6 +199,21 @@ void check_diameters(const Scene& scene, ProblemList& problems)
   }
 }
 
+/// BDF2 knows the rates of what it cannot choose its steps by only to a few percent in twenty steps a period.
+void check_oscillation(const Scene& scene, ProblemList& problems)
+{
+  constexpr double least_steps = 20.0;  // a period
+  for (std::size_t i = 0; i < scene.string.size(); ++i)
+  {
+    const PartSpec& part = scene.string[i];
+    const double most = 1.0 / (least_steps * part.oscillation_frequency), step = scene.numerics.step;
+    if (part.oscillation_force == 0.0 || (step > 0.0 && step <= most * (1.0 + 1e-9))) continue;
+    problems.emplace_back(
+        "string[" + std::to_string(i) + "].oscillation_frequency",
+        plain(part.oscillation_frequency) + " Hz needs a fixed numerics.step, allowed: up to " + plain(most) + " s");
+  }
+}
+
 void check_hoisting(const HoistingSpec& h, ProblemList& problems)
 {
   if (h.lowest_block_height >= h.highest_block_height)
@@ -342,6 +357,7 @@ ProblemList scene_problems(const Scene& scene)
   check_diameters(scene, problems);
   check_hoisting(scene.rig.hoisting, problems);
   check_heave(scene.rig.heave, problems);
+  check_oscillation(scene, problems);
   check_connections(scene, problems);
   check_start(scene, problems);
   append(problems, program_problems(scene));

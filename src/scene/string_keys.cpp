@@ -45,7 +45,7 @@ double& of_tool_joint(PartSpec& part)
 constexpr unsigned bit = kind(PartType::bit), motor = kind(PartType::mud_motor), stabilizer = kind(PartType::stabilizer),
                    mwd = kind(PartType::mwd), pipe = kind(PartType::pipe), steerable = kind(PartType::rotary_steerable);
 constexpr unsigned tube = every_kind & ~bit;
-constexpr unsigned jointed = pipe | kind(PartType::collar);
+constexpr unsigned collar = kind(PartType::collar), jointed = pipe | collar;
 }  // namespace
 
 // clang-format off
@@ -87,6 +87,11 @@ const Table<PartSpec> part_keys = {"string[]", "One part of the drillstring; the
       "protectors", no_kind, tube, "where it touches"},
   {"contact",               "",       Nested{},                            none,
       "wall contact law of this part, instead of the scene's"},
+  {"oscillation_force",     "N",      &PartSpec::oscillation_force,        between(0.0, 2e5),
+      "amplitude of the axial force by which a tool against friction shakes the string while mud flows; at the part's middle",
+      no_kind, collar},
+  {"oscillation_frequency", "Hz",     &PartSpec::oscillation_frequency,    between(0.1, 100.0),
+      "its frequency; needs a `numerics.step` of at most a twentieth of the period", no_kind, collar},
   {"tool_joint_diameter",   "m",      Inside<PartSpec>{of_tool_joint},     between(0.01, 1.0),
       "outer diameter of the tool joints", no_kind, pipe, "outer_diameter"},
   {"blade_diameter",        "m",      Inside<PartSpec>{of_blades},         between(0.01, 1.0),   "outer diameter over the blades",

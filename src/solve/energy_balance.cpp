@@ -253,7 +253,7 @@ void EnergyBalance::book_inputs() noexcept
   accounts_.steering += work_at_pivot(&ShaftSample::moment) - work_of_step(NodeForce::pads);
   const double torque = mean(before_.bit_torque + before_.gauge_torque, after_.bit_torque + after_.gauge_torque);
   const double pump = h * std::max(0.0, torque) * after_.motor_flow_speed;
-  accounts_.pump += pump;
+  accounts_.pump += pump - work_in_time(NodeForce::oscillator);
   accounts_.motor_slip += pump - h * torque * after_.motor_speed;
 }
 

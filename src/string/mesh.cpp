@@ -179,6 +179,20 @@ void widen(const PartSpec& above, MeshNode& node)
   node.friction_radius = above.friction_radius;
 }
 
+void put_oscillators(const std::vector<PartSpec>& parts, Mesh& mesh)
+{
+  for (std::size_t k = 0; k < parts.size(); ++k)
+  {
+    if (parts[k].oscillation_force == 0.0) continue;
+    const double middle = 0.5 * (mesh.part_bottom[k] + mesh.part_top[k]);
+    const auto nearer = [middle](const MeshNode& a, const MeshNode& b)
+    { return std::abs(a.from_bit - middle) < std::abs(b.from_bit - middle); };
+    const auto nearest = std::min_element(mesh.nodes.begin(), mesh.nodes.end(), nearer);
+    mesh.oscillators.push_back(
+        {static_cast<int>(nearest - mesh.nodes.begin()), parts[k].oscillation_force, parts[k].oscillation_frequency});
+  }
+}
+
 double bearing_radius(const PartSpec& part, const MeshNode& node)
 {
   return part.pipe ? std::max(node.contact_radius, 0.5 * joint_end_diameter(part)) : node.contact_radius;
@@ -200,6 +214,7 @@ Mesh build_mesh(const std::vector<PartSpec>& parts, const ContactSpec& contact, 
   if (mesh.gauge_nodes > 1) put_gauge(bit, contact, mesh.nodes[0], mesh.nodes[1]);
   for (std::size_t i = 1; i + 1 < mesh.nodes.size(); ++i) widen(parts[mesh.nodes[i + 1].part], mesh.nodes[i]);
   for (MeshNode& node : mesh.nodes) node.bearing_radius = bearing_radius(parts[node.part], node);
+  put_oscillators(parts, mesh);
   return mesh;
 }
 

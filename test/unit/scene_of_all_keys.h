@@ -32,7 +32,7 @@ string:
       curve_exponent: 3.9, efficiency: 0.85}
   - {name: c1, type: collar, joints: 2, joint_length: 9.1, outer_diameter: 0.203, inner_diameter: 0.072, linear_mass: 221.0,
       young_modulus: 2.01e11, poisson_ratio: 0.28, yield_strength: 9.31e8, make_up_torque: 4.1e4, density: 7801.0,
-      friction_radius: 0.081,
+      friction_radius: 0.081, oscillation_force: 14001.0, oscillation_frequency: 0.17,
      contact: {stiffness: 5.1e7, exponent: 1.52, damping: 0.32}}
   - {name: s1, type: stabilizer, length: 1.9, outer_diameter: 0.2031, inner_diameter: 0.073, linear_mass: 231.0,
       blade_diameter: 0.3081, squeeze_film_damping: 42000.0}

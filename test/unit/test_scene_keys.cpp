@@ -74,6 +74,18 @@ std::vector<Expected> of_well()
   };
 }
 
+/// Contact of a part, and a tool that shakes the string.
+std::vector<Expected> of_part_extras()
+{
+  return {
+      {"string[]", "oscillation_force", [](const Scene& s) { return s.string.at(2).oscillation_force; }, 14001.0},
+      {"string[]", "oscillation_frequency", [](const Scene& s) { return s.string.at(2).oscillation_frequency; }, 0.17},
+      {"string[].contact", "stiffness", [](const Scene& s) { return s.string.at(2).contact->stiffness; }, 5.1e7},
+      {"string[].contact", "exponent", [](const Scene& s) { return s.string.at(2).contact->exponent; }, 1.52},
+      {"string[].contact", "damping", [](const Scene& s) { return s.string.at(2).contact->damping; }, 0.32},
+  };
+}
+
 std::vector<Expected> of_string()
 {
   return {
@@ -99,9 +111,6 @@ std::vector<Expected> of_string()
       {"string[]", "density", [](const Scene& s) { return s.string.at(2).density; }, 7801.0},
       {"string[]", "friction_radius", [](const Scene& s) { return s.string.at(2).friction_radius; }, 0.081},
       {"string[]", "contact", [](const Scene& s) { return s.string.at(2).contact.has_value(); }, 1.0},
-      {"string[].contact", "stiffness", [](const Scene& s) { return s.string.at(2).contact->stiffness; }, 5.1e7},
-      {"string[].contact", "exponent", [](const Scene& s) { return s.string.at(2).contact->exponent; }, 1.52},
-      {"string[].contact", "damping", [](const Scene& s) { return s.string.at(2).contact->damping; }, 0.32},
       {"string[]", "tool_joint_diameter", [](const Scene& s) { return s.string.at(6).pipe->tool_joint_diameter; }, 0.169},
       {"string[]", "blade_diameter", [](const Scene& s) { return s.string.at(3).stabilizer->blade_diameter; }, 0.3081},
       {"string[]", "speed_lag", [](const Scene& s) { return s.string.at(0).bit->speed_lag; }, 0.31},
@@ -271,8 +280,8 @@ std::vector<Expected> of_numerics()
 std::vector<Expected> all_expected()
 {
   std::vector<Expected> all;
-  for (const auto& part :
-       {of_well(), of_string(), of_rig(), of_contact_and_start(), of_numerics(), of_instruments(), of_operations()})
+  for (const auto& part : {of_well(), of_string(), of_part_extras(), of_rig(), of_contact_and_start(), of_numerics(),
+                           of_instruments(), of_operations()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }

@@ -40,7 +40,8 @@ TEST(WriteScene, givesEveryKeyBackToTheLastBit)
 TEST(WriteScene, givesSettingsAndUnitsBack)
 {
   expect_back(parse_scene(scene_of_all_keys, "all_keys.yaml",
-                          {"mud.density=10.1 ppg", "numerics.integrator=auto", "numerics.level=auto", "numerics.step=0"}));
+                          {"mud.density=10.1 ppg", "numerics.integrator=auto", "numerics.level=auto", "numerics.step=0",
+                           "string[2].oscillation_force=0"}));
   expect_back(parse_scene(scene_of_all_keys, "all_keys.yaml",
                           {"string[0].torque={model: detournay, wear_friction: 0.3}", "trajectory={stage_two_steps: 7}"}));
 }

@@ -33,7 +33,8 @@ struct EnergyAccounts
   double drive = 0.0;  ///< top drive's motor torque times rotor speed
   double pump = 0.0;   ///< flow times the pressure that the mud motor's torque needs, gauge friction included, 2 pi T/V; and what
                        ///< its pressure does to the elastic energy as it stretches the string, -N dL where it is under an
-                       ///< effective tension N, and as it lifts it up the annulus: less than 0 where the string surges and swabs
+                       ///< effective tension N, and as it lifts it up the annulus: less than 0 where the string surges and swabs;
+                       ///< and the work of tools that shake the string
   double heave = 0.0;  ///< forces of lines, rail, stops and slips times the speed of the floor under them
   double gravity = 0.0;   ///< weight in mud
   double steering = 0.0;  ///< of a rotary steerable tool: its pads, or the actuator at its pivot

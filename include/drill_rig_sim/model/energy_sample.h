@@ -47,6 +47,7 @@ enum class NodeForce
   ledge,  ///< what the wall's force lacks of the gradient where the radius changes (wall_contact.h: "sideways, never along")
   stuck_point,  ///< gradient of the stuck point's and the slips' energy
   pads,         ///< of a rotary steerable tool
+  oscillator,   ///< of a tool that shakes the string
   unsolved,     ///< the residual that the method left
   count
 };

@@ -59,6 +59,13 @@ struct MeshElement
 /// moments between two circles; between these it bends like the part above it. The last node is the top-drive shaft. Every
 /// joint's end but one between two joints that are one element, every part's end, stabiliser's blade, bend, pads and pivot is a
 /// node.
+/// A tool that shakes the string (model/forces/oscillator.h), at the node nearest to the middle of its part.
+struct Oscillator
+{
+  int node;
+  double force, frequency;  ///< amplitude [N], [Hz]
+};
+
 struct Mesh
 {
   std::vector<MeshNode> nodes;
@@ -71,7 +78,8 @@ struct Mesh
   int bend_node = -1;   ///< -1: straight string
   int pad_node = -1;    ///< where a rotary steerable tool pushes; -1: none
   int pivot_node = -1;  ///< where one that points leans; -1: none
-  double sensor_from_bit = -1.0;    ///< the MWD's sensor; -1: none
+  double sensor_from_bit = -1.0;  ///< the MWD's sensor; -1: none
+  std::vector<Oscillator> oscillators;
   std::vector<double> part_bottom;  ///< from_bit of each part's lower end [m]
   std::vector<double> part_top;
 

@@ -126,13 +126,15 @@ struct PartSpec
   double linear_mass = 0.0;     ///< in air [kg/m]
   double young_modulus = 206e9;
   double poisson_ratio = 0.3;
-  StiffnessSpec stiffness;            ///< instead of the tube's: all three or none
-  double polar_inertia = 0.0;         ///< about the axis, in air [kg m2/m]; 0: that of the tube with this linear_mass
-  double density = 7850.0;            ///< of its material: displaced volume = linear mass / density [kg/m3]
-  double yield_strength = 724e6;      ///< of its material; drill pipe of grade G-105 [Pa]
-  double make_up_torque = 0.0;        ///< of its connections; 0: not known [N m]
-  double friction_radius = 0.0;       ///< lever of the wall's friction about the axis; 0: half the diameter where it touches [m]
-  std::optional<ContactLaw> contact;  ///< its own law of wall contact instead of the scene's
+  StiffnessSpec stiffness;         ///< instead of the tube's: all three or none
+  double polar_inertia = 0.0;      ///< about the axis, in air [kg m2/m]; 0: that of the tube with this linear_mass
+  double density = 7850.0;         ///< of its material: displaced volume = linear mass / density [kg/m3]
+  double yield_strength = 724e6;   ///< of its material; drill pipe of grade G-105 [Pa]
+  double make_up_torque = 0.0;     ///< of its connections; 0: not known [N m]
+  double friction_radius = 0.0;    ///< lever of the wall's friction about the axis; 0: half the diameter where it touches [m]
+  double oscillation_force = 0.0;  ///< amplitude with which it shakes the string along its axis (model/forces/oscillator.h) [N]
+  double oscillation_frequency = 16.0;  ///< [Hz]
+  std::optional<ContactLaw> contact;    ///< its own law of wall contact instead of the scene's
 
   std::optional<BitSpec> bit;
   std::optional<MotorSpec> motor;

@@ -11,6 +11,7 @@
 #include "drill_rig_sim/model/forces/hoisting.h"
 #include "drill_rig_sim/model/forces/inertia.h"
 #include "drill_rig_sim/model/forces/mud_drag.h"
+#include "drill_rig_sim/model/forces/oscillator.h"
 #include "drill_rig_sim/model/forces/pads.h"
 #include "drill_rig_sim/model/forces/place_drag.h"
 #include "drill_rig_sim/model/forces/slips.h"
@@ -37,8 +38,8 @@ struct ForceList
 /// guided string behind all that acts on its nodes; the rail last, it overwrites rows. Sums are rounded in this order, to the
 /// last digit.
 inline constexpr std::array force_table = {
-    &beams,       &mud_drag, &inertia, &squeeze_film, &wall,     &span_wall, &guided_gauge,  &bit_on_bottom,
-    &stuck_point, &slips,    &pads,    &place_drag,   &hoisting, &top_drive, &guided_string, &guide_rail,
+    &beams, &mud_drag, &inertia,    &squeeze_film, &wall,     &span_wall, &guided_gauge,  &bit_on_bottom, &stuck_point,
+    &slips, &pads,     &place_drag, &oscillator,   &hoisting, &top_drive, &guided_string, &guide_rail,
 };
 inline constexpr ForceList all_forces = {force_table.data(), force_table.data() + force_table.size()};
 
