@@ -28,6 +28,7 @@ bool MeasuredError::compare() noexcept
   if (std::isnan(frame.companion.front())) return false;
   for (std::size_t i = 0; i < output_count; ++i) differences_[i].add(frame.companion[i], frame.run[i], frame.duration);
   differences_[static_cast<std::size_t>(Output::bit_speed)].expect(frame.top_drive_speed);
+  differences_[static_cast<std::size_t>(Output::wob)].expect(0.0);
   return true;
 }
 
@@ -58,6 +59,12 @@ Outputs MeasuredError::errors() const noexcept
   Outputs out;
   for (std::size_t i = 0; i < output_count; ++i) out[i] = error(static_cast<Output>(i));
   return out;
+}
+
+bool MeasuredError::lasts(bool above, double duration) noexcept
+{
+  above_for_ = above ? above_for_ + duration : 0.0;
+  return above_for_ > warned_after - rounding;
 }
 
 OutputError largest_of(const Outputs& errors, unsigned needs) noexcept

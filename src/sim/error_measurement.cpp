@@ -57,7 +57,7 @@ void ErrorMeasurement::judge(double duration) noexcept
   if (!statistics_.error_is_measured) return;
   statistics_.errors = measured_.errors();
   const OutputError largest = largest_of(statistics_.errors, rig_.scene.needs);
-  if (largest.error > numerics.tolerance)
+  if (measured_.lasts(largest.error > numerics.tolerance, duration))
     rig_.measurement.warn_of_error({AccuracyDoubt::measured, largest.error, 0.0, 0.0, numerics.tolerance, largest.output,
                                     measured_.statistics(largest.output)});
 }

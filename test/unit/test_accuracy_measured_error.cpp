@@ -100,10 +100,20 @@ TEST(MeasuredError, ofTheBitSpeedIsOverThatOfTheTopDrive)
 TEST(MeasuredError, theLargestIsOfWhatIsNeeded)
 {
   MeasuredError measured;
-  for (int k = 0; k < 400; ++k) add(measured, {1e6, 1e4, 4e5}, {0.9e6, 0.99e4, 3e5});
+  for (int k = 0; k < 400; ++k) add(measured, {1e6, 1e4, 4e5}, {0.98e6, 0.999e4, 3e5});
   EXPECT_EQ(largest_of(measured.errors(), every_need).output, Output::wob);
   EXPECT_EQ(largest_of(measured.errors(), need_hook_load | need_torque).output, Output::hook_load);
   EXPECT_EQ(largest_of(measured.errors(), need_direction).error, 0.0);
+}
+
+// Frames of 0.1 s; one of 1 s is long enough by itself.
+TEST(MeasuredError, anErrorIsWarnedOfOnceItLasts)
+{
+  MeasuredError measured;
+  for (const bool lasts : {false, false, true, true}) EXPECT_EQ(measured.lasts(true, 0.1), lasts);
+  EXPECT_FALSE(measured.lasts(false, 0.1));
+  EXPECT_FALSE(measured.lasts(true, 0.1));
+  EXPECT_TRUE(measured.lasts(true, 1.0));
 }
 
 TEST(MeasuredError, comparesTheSameFramesAtTheSameTimeHoweverLateTheCompanionIs)
