@@ -199,7 +199,7 @@ void check_diameters(const Scene& scene, ProblemList& problems)
   }
 }
 
-/// BDF2 knows the rates of what it cannot choose its steps by only to a few percent in twenty steps a period.
+/// The force of a shaking tool does not shorten the steps: in twenty a period BDF2 has its rates to 3 %.
 void check_oscillation(const Scene& scene, ProblemList& problems)
 {
   constexpr double least_steps = 20.0;  // a period
