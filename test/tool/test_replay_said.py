@@ -35,6 +35,10 @@ class Said(InFolder):
         self.assertEqual(sorted(seen), seen)
         self.assertAlmostEqual(seen[-1][1], seen[-1][0], delta=0.2)
 
+    def test_a_scene_in_the_place_of_the_record_is_refused(self):
+        with self.assertRaisesRegex(RecordError, r"quick\.yaml: is YAML, .* needed: the record before the scene"):
+            read_record(QUICK)
+
     def test_remarks_name_the_scene_that_was_given(self):
         """Not the file that holds it with the start of the record."""
         with open(QUICK, encoding="utf-8") as text:

@@ -287,6 +287,9 @@ def read_record(files, columns=None):
     `columns`: the file of a map (columns.py), for all of them; without it the columns are known by the names of the trade or those of drill run --csv --readings.
     RecordError with one line."""
     files = [files] if isinstance(files, (str, os.PathLike)) else list(files)
+    scene = next((file for file in files if os.fspath(file).endswith((".yaml", ".yml"))), None)
+    if scene:
+        raise RecordError("%s: is YAML, as scenes and maps are, not a record; needed: the record before the scene" % scene)
     mapping = read_map(columns) if columns else None
     tables = [table for file in files for table in tables_of(os.fspath(file), mapping)]
     with after(lambda: [line for table in tables for line in prefixed(table.file, table.remarks)]):
