@@ -88,6 +88,14 @@ TEST(MeasuredError, ofALightWeightIsOverItsOwnRange)
   EXPECT_NEAR(measured.error(Output::wob), 180.0 / 6000.0, 1e-6);
 }
 
+// A scene that starts on bottom: the weight has not been 0 yet.
+TEST(MeasuredError, ofAWeightCountsFromOffBottom)
+{
+  MeasuredError measured;
+  for (int k = 0; k < 400; ++k) add(measured, {5e5, 0.0, 40000.0}, {5e5, 0.0, 40400.0});
+  EXPECT_NEAR(measured.error(Output::wob), 400.0 / 40000.0, 1e-6);
+}
+
 // The drive has begun to turn, the bit follows a second later.
 TEST(MeasuredError, ofTheBitSpeedIsOverThatOfTheTopDrive)
 {
