@@ -61,10 +61,16 @@ Outputs MeasuredError::errors() const noexcept
   return out;
 }
 
-bool MeasuredError::lasts(bool above, double duration) noexcept
+Outputs MeasuredError::lasting(double tolerance, double duration) noexcept
 {
-  above_for_ = above ? above_for_ + duration : 0.0;
-  return above_for_ > warned_after - rounding;
+  const Outputs now = errors();
+  Outputs out{};
+  for (std::size_t i = 0; i < output_count; ++i)
+  {
+    above_for_[i] = now[i] > tolerance ? above_for_[i] + duration : 0.0;
+    if (above_for_[i] > output_traits[i].warned_after - rounding) out[i] = now[i];
+  }
+  return out;
 }
 
 OutputError largest_of(const Outputs& errors, unsigned needs) noexcept

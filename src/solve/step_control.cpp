@@ -18,7 +18,7 @@ constexpr double largest_place_error = 1e-2;      // over the tolerance [m]
 constexpr double least_force = 1e3, least_torque = 100.0, least_speed = 0.1;  // what instruments resolve [N, N m, rad/s]
 constexpr double share_of_level = 0.1;
 constexpr double seen = 0.1;                          // share of what an instrument resolves below which no error matters
-constexpr double along_may = 1.5;                     // what motions along the string are allowed over the rule
+constexpr double along_may = 0.75;                    // what motions along the string are allowed over the rule
 constexpr double peak_of_weight = 6.0;                // what a wrong weight on bit counts over one along the string
 constexpr double peak_along = 2.8, peak_about = 3.3;  // of a wave's front over its root mean square along the string
 constexpr double turning_speed = 5.0;                 // a bit that has never been as fast does not turn [rad/s]

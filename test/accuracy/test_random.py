@@ -21,8 +21,8 @@ DRILL = sys.argv.pop(1)
 class Found(random_trial.Trial):
     """A trial whose verification is given."""
 
-    def __init__(self, verdict, warned_from=None, off=(), measured=(), speed=100.0):  # pylint: disable=super-init-not-called
-        self.number, self.what, self.speed = 0, 'a well', speed
+    def __init__(self, verdict, warned_from=None, off=(), measured=(), speed=100.0, free_speed=50.0):  # pylint: disable=super-init-not-called
+        self.number, self.what, self.speed, self.free_speed = 0, 'a well', speed, free_speed
         self.found = {'verdict': verdict, 'warned_from': warned_from,
                       'outputs': {'torque': {'needed': True, 'worst': max(off, default=0.0), 'off': list(off), 'measured': list(measured)},
                                   'rop': {'needed': False, 'worst': 9.0, 'off': [9.0], 'measured': [1.0]}}}
@@ -49,7 +49,7 @@ class Trials(unittest.TestCase):
         trials = [Found('right'), Found('right', warned_from=3.0, speed=25.0), Found('missed', off=[0.01, 0.03, 0.001], measured=[0.01, 0.015, 0.2])]
         told = random_trial.summary(trials, 0.02)
         self.assertEqual(told[0], '3 scenes: 2 right, 1 missed; of the right ones under a warning: 1.')
-        self.assertEqual(told[1], 'Simulated over processor time, geometric mean: 63.')
+        self.assertEqual(told[1], 'Simulated over processor time, geometric mean: 63; not below that of free nodes by 10 ms without a companion in 2.')
         self.assertEqual(told[2], 'Measured over true error, 2 windows: 5 % below 0.50, half below 1.00, 5 % above 1.00.')
         self.assertIn('| missed | 3.0 | torque | - | 100 |', trials[2].row())
 

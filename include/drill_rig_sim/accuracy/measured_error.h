@@ -37,9 +37,6 @@ constexpr CompanionTraits traits_of(CompanionKind kind) noexcept
 /// How far the measurement is behind the run [s], so that run and companion need not wait for each other at every frame.
 constexpr double measured_after = 0.1;
 
-/// How long an error must stay above the tolerance before it is warned of [s]: one that touches it for less is known no better.
-constexpr double warned_after = 0.25;
-
 /// Errors of a run's outputs, measured beside a companion: over the last 3 s (difference_window), relative to the output's range
 /// so far, a tenth of its level, or an instrument's resolution, whichever is largest (OutputDifference::scale). The range of the
 /// whole run is known only at its end. At first it is larger than the range so far, and the error would be too large. So the
@@ -83,8 +80,9 @@ public:
   /// In the output's unit.
   double absolute_error(Output output) const noexcept;
   Outputs errors() const noexcept;
-  /// Whether an error that is above the tolerance, or not, for `duration` [s] more has been so for warned_after.
-  bool lasts(bool above, double duration) noexcept;
+  /// A frame of `duration` [s] later: the errors that have been above the tolerance for so long that they are warned of
+  /// (OutputTraits::warned_after); 0: the others.
+  Outputs lasting(double tolerance, double duration) noexcept;
 
   template <class V>
   void visit(V& v)
@@ -121,7 +119,7 @@ private:
   std::array<Frame, capacity> frames_;                    // ring
   std::uint64_t run_ = 0, companion_ = 0, compared_ = 0;  // frames, since the start
   double waiting_ = 0.0;                                  // duration of the frames not compared yet [s]
-  double above_for_ = 0.0;                                // [s]
+  Outputs above_for_{};                                   // how long they have been above the tolerance [s]
 };
 
 /// An output and its error [-].
