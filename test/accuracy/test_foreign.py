@@ -26,7 +26,7 @@ class Judging(unittest.TestCase):
             file.write('# a swing; for 30 s\nname: swing\n')
         self.scene = trial.Scene(path)
 
-    def put(self, kind, torque, warned=None):
+    def put(self, kind, torque, warned=None, text='x'):
         """A run whose torque is so far from a swing of 1 kN m [N m], its other outputs still."""
         name = os.path.join(self.folder.name, 'swing.' + kind)
         with open(name + '.csv', 'w', newline='') as file:
@@ -35,11 +35,11 @@ class Judging(unittest.TestCase):
             for t, wrong in zip(self.TIME, torque):
                 table.writerow([t] + [500.0 * numpy.sin(t) + wrong if output == 'torque' else 1.0 for output in trial.RESOLVED])
         with open(name + '.json', 'w') as file:
-            json.dump({'accuracy_warnings': [] if warned is None else [{'since': warned, 'until': 30.0, 'text': 'x'}]}, file)
+            json.dump({'accuracy_warnings': [] if warned is None else [{'since': warned, 'until': 30.0, 'text': text}]}, file)
 
-    def verdict(self, ours, coarse, warned=None, tolerance=0.02):
+    def verdict(self, ours, coarse, warned=None, tolerance=0.02, text='x'):
         for kind, torque in (('default', ours), ('fine', 0.0 * self.TIME), ('coarse', coarse)):
-            self.put(kind, torque, warned)
+            self.put(kind, torque, warned, text)
         return trial.Verdict(self.scene, self.folder.name, tolerance)
 
     def after(self, start, size):
@@ -59,6 +59,12 @@ class Judging(unittest.TestCase):
         self.assertEqual((missed.kind, missed.wrong_from), ('missed', 12.0))
         self.assertEqual(self.verdict(ours, coarse, warned=14.9).kind, 'warned')
         self.assertEqual(self.verdict(ours, coarse, warned=15.1).kind, 'missed')
+
+    def test_warnings_of_a_limit_of_the_model_are_counted_apart(self):
+        ours, coarse = self.after(12.0, 1.0), self.after(0.0, 1.0)
+        texts = ('torque: measured error 3 % of its range so far', 'guided pipe carries too much')
+        verdicts = [self.verdict(ours, coarse, warned=3.0, text=text) for text in texts] + [self.verdict(ours, coarse)]
+        self.assertEqual(trial.under_a_warning(verdicts), 'of the right ones under a warning: 2, of which 1 only of a limit of the model')
 
     def test_by_another_tolerance(self):
         ours, coarse = self.after(12.0, 21.0), self.after(0.0, 1.0)

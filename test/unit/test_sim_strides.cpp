@@ -187,7 +187,7 @@ TEST(Strides, aFrameShowsTheWholeStringAtItsOwnTime)
   const std::size_t middle = static_cast<std::size_t>(always.statistics().nodes / 2);
   StringProfile first, second, third;
   int seen = 0;
-  for (int k = 0; k < 200; ++k)
+  for (int k = 0; k < 300; ++k)
   {
     std::swap(first, second);
     std::swap(second, third);
