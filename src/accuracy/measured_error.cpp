@@ -61,14 +61,13 @@ Outputs MeasuredError::errors() const noexcept
   return out;
 }
 
-Outputs MeasuredError::lasting(double tolerance, double duration) noexcept
+Outputs MeasuredError::lasting(const Outputs& errors, double tolerance, double duration) noexcept
 {
-  const Outputs now = errors();
   Outputs out{};
   for (std::size_t i = 0; i < output_count; ++i)
   {
-    above_for_[i] = now[i] > tolerance ? above_for_[i] + duration : 0.0;
-    if (above_for_[i] > output_traits[i].warned_after - rounding) out[i] = now[i];
+    above_for_[i] = errors[i] > tolerance ? above_for_[i] + duration : 0.0;
+    if (above_for_[i] > output_traits[i].warned_after - rounding) out[i] = errors[i];
   }
   return out;
 }

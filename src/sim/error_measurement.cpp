@@ -56,7 +56,7 @@ void ErrorMeasurement::judge(double duration) noexcept
   statistics_.error_is_measured = is_under_way();
   if (!statistics_.error_is_measured) return;
   statistics_.errors = measured_.errors();
-  const OutputError largest = largest_of(measured_.lasting(numerics.tolerance, duration), rig_.scene.needs);
+  const OutputError largest = largest_of(measured_.lasting(statistics_.errors, numerics.tolerance, duration), rig_.scene.needs);
   if (largest.error > 0.0)
     rig_.measurement.warn_of_error({AccuracyDoubt::measured, largest.error, 0.0, 0.0, numerics.tolerance, largest.output,
                                     measured_.statistics(largest.output)});

@@ -20,6 +20,7 @@ SOURCE = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file_
 PROGRAMS = {'quick': 180.0, 'oilfield': 300.0, 'bohai': 600.0}
 CONTROLLERS = {'autodriller': 3600.0, 'slide_steering': 3600.0, 'rss_steering': 6000.0, 'stands': 6000.0, 'stick_slip': 3600.0}
 COARSER = 0.85     # error of a coarser companion over its difference to the run (accuracy/measured_error.h)
+MEASURED = ': measured error'
 TOLERANCE = 0.02   # numerics.tolerance of all of them
 
 
@@ -37,9 +38,14 @@ def controller_of(name):
     return control.Ordered(law(**settings), values.get('orders', []))
 
 
+def is_measured(warning):
+    """Whether a warning is of a measured error; the others are of limits of the model."""
+    return MEASURED in warning
+
+
 def reason(warning):
     """A warning's words without its numbers."""
-    output, measured, _ = warning.partition(': measured error')
+    output, measured, _ = warning.partition(MEASURED)
     return 'measured error of the ' + output if measured else re.sub(r'[0-9][0-9.e+-]*', 'N', warning.partition(';')[0])
 
 

@@ -80,9 +80,9 @@ public:
   /// In the output's unit.
   double absolute_error(Output output) const noexcept;
   Outputs errors() const noexcept;
-  /// A frame of `duration` [s] later: the errors that have been above the tolerance for so long that they are warned of
-  /// (OutputTraits::warned_after); 0: the others.
-  Outputs lasting(double tolerance, double duration) noexcept;
+  /// A frame of `duration` [s] later: those of its `errors` that have been above the tolerance for so long that they are warned
+  /// of (OutputTraits::warned_after); 0: the others.
+  Outputs lasting(const Outputs& errors, double tolerance, double duration) noexcept;
 
   template <class V>
   void visit(V& v)

@@ -37,12 +37,11 @@ constexpr double may_be_longer = 0.2;
 /// 10, 0.23 at 5, by TR-BDF2 0.60, 0.25, 0.09): so what is allowed, h^2, goes with the tolerance to the power of 3/2, as above
 /// at 0.063. Three quarters of that are allowed along the string, by 40 random scenes (seed 8812345): with twice as much hoists
 /// and their stops are further off, and four more right scenes are warned of, for 3 % less work. P of the weight is by random
-/// scenes too: a bit that just
-/// touches bounces, and the errors of its impacts add up (P of 1: up to 5 % of the weight's range in four of 40
-/// scenes, of 6: in two, 2.5 % at most, for 4 % more work). Where the scene needs nothing but torque and bit speed, motions
-/// along the string are allowed ten times as much; where nothing but hook load, weight and pressure, those about it. In
-/// addition, no position error in a step may exceed `largest_place_error` times the tolerance, whatever the outputs: this is
-/// for impacts and whirl.
+/// scenes too: a bit that just touches bounces, and the errors of its impacts add up (P of 1: up to 5 % of the weight's range in
+/// four of 40 scenes, of 6: in two, 2.5 % at most, for 4 % more work). Where the scene needs nothing but torque and bit speed,
+/// motions along the string are allowed ten times as much; where nothing but hook load, weight and pressure, those about it. In
+/// addition, no position error in a step may exceed `largest_place_error` times the tolerance, whatever the outputs: this is for
+/// impacts and whirl.
 class StepControl
 {
 public:

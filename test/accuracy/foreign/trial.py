@@ -18,6 +18,7 @@ import os
 import re
 import subprocess
 
+import examples
 import numpy
 
 HERE = os.path.dirname(os.path.abspath(__file__))
@@ -78,7 +79,7 @@ class Verdict:
         self.worst = errors[self.output].max()
         self.wrong_from = min((WINDOW * numpy.argmax(e > tolerance) for e in errors.values() if e.max() > tolerance), default=None)
         self.warned_from = min((w['since'] for w in warnings), default=None)
-        self.of_limits = bool(warnings) and not any('measured error' in w['text'] for w in warnings)  # of the model, not of the numerics
+        self.of_limits = bool(warnings) and not any(examples.is_measured(w['text']) for w in warnings)  # of the model, not of the numerics
         self.kind = self.judge(errors, known)
 
     def judge(self, errors, known):
