@@ -16,7 +16,7 @@ from drill_rig_sim.field.prediction import Prediction
 from drill_rig_sim.field.progress import Pace
 from drill_rig_sim.json_file import write_json
 from drill_rig_sim.lockstep import Refused
-from drill_rig_sim.refusal import told
+from drill_rig_sim.refusal import refusal_lines
 from drill_rig_sim.score_command import BAD_INPUT, FAILED, GOOD
 
 BEYOND = 3.0  # of a record's noise, so much is more than noise
@@ -198,7 +198,7 @@ def main(words):
         print("drill calibrate: %s; needed: Debian's python3-scipy for a fit, python3-matplotlib for --plots, python3-distributed for --scheduler" % error, file=sys.stderr)
         return FAILED
     except (PlanError, RecordError, ModelError, FitError, Refused) as error:
-        print(told("drill calibrate", error), file=sys.stderr)
+        print(refusal_lines("drill calibrate", error), file=sys.stderr)
         return BAD_INPUT
     except OSError as error:
         print("drill calibrate: %s: %s" % (error.filename, error.strerror), file=sys.stderr)

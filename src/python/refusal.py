@@ -23,7 +23,7 @@ def after(remarks):
         raise
 
 
-def told(command, error):
+def refusal_lines(command, error):
     """Lines of a command on an error: remarks that came before it and are not in its text, then the error."""
     before = [line for line in dict.fromkeys(getattr(error, "remarks", ())) if line.partition(": ")[2] not in str(error)]
     return "\n".join("%s: %s" % (command, line) for line in [*before, error])

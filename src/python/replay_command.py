@@ -13,7 +13,7 @@ from drill_rig_sim.field.start import FROM, on_hook, simulator_of, start_keys
 from drill_rig_sim.field.window import limits, stretches
 from drill_rig_sim.json_file import write_json
 from drill_rig_sim.lockstep import Failed, Refused
-from drill_rig_sim.refusal import after, told
+from drill_rig_sim.refusal import after, refusal_lines
 from drill_rig_sim.score_command import BAD_INPUT, FAILED, GOOD
 from drill_rig_sim.sim import found
 from drill_rig_sim.units import QUANTITIES, SI, SYSTEMS, Units
@@ -121,7 +121,7 @@ def main(words):
         print("".join("drill replay: %s\n" % line for line in replay.remarks), end="", file=sys.stderr)
         return GOOD
     except (RecordError, ModelError, Refused) as error:
-        print(told("drill replay", error), file=sys.stderr)
+        print(refusal_lines("drill replay", error), file=sys.stderr)
         return FAILED if isinstance(error, Failed) else BAD_INPUT
     except OSError as error:
         print("drill replay: %s: %s" % (error.filename, error.strerror), file=sys.stderr)

@@ -33,7 +33,7 @@ class RssSteering(Steering):
         self.survey, self.survey_depth = None, None
         self.before, self.sag = [], (0.0, 0.0)  # what the surveys show before drilling, and its mean (build, turn) [rad]
         self.error = self.offset = (0.0, 0.0)  # at the sensor: behind the plan (build, turn) [rad], away from it [m]
-        self.told = []                  # [depth, (build, turn)]: what the tool steers from there on [rad/m]
+        self.schedule = []                  # [depth, (build, turn)]: what the tool steers from there on [rad/m]
         self.code, self.bits, self.began = (0, 0), [], 0.0
 
     def step(self, readings):
@@ -54,7 +54,7 @@ class RssSteering(Steering):
         seen = self.behind_plan(survey)
         way = 0.0 if self.survey is None else max(0.0, survey.md - self.survey.md)
         self.survey = survey
-        if not self.told:
+        if not self.schedule:
             self.before.append(seen)
             self.sag = tuple(sum(values) / len(self.before) for values in zip(*self.before))
             return
@@ -64,8 +64,8 @@ class RssSteering(Steering):
     def since(self, depth, bit):
         """How far the tool has turned the hole from a depth to the bit, as it was commanded: (build, turn) [rad]."""
         turned = [0.0, 0.0]
-        ends = [row[0] for row in self.told[1:]] + [bit]
-        for (begin, rate), end in zip(self.told, ends):
+        ends = [row[0] for row in self.schedule[1:]] + [bit]
+        for (begin, rate), end in zip(self.schedule, ends):
             length = max(0.0, end - max(begin, depth))
             turned = [old + length * one for old, one in zip(turned, rate)]
         return turned
@@ -73,9 +73,9 @@ class RssSteering(Steering):
     def choose(self, readings):
         """What the hole should do from here on, and a downlink where the tool has another command."""
         bit = readings.bit_depth
-        if not self.told:
-            self.told = [[bit, (0.0, 0.0)]]
-        below = max(self.told[0][0], self.survey.md)
+        if not self.schedule:
+            self.schedule = [[bit, (0.0, 0.0)]]
+        below = max(self.schedule[0][0], self.survey.md)
         begun, now, ahead = self.plan.at(below), self.plan.at(bit), self.plan.at(bit + 5.0)
         planned = [angle / 5.0 for angle in bend(now, ahead, now[0])]
         change = bend(begun, now, now[0])
@@ -83,9 +83,9 @@ class RssSteering(Steering):
                  for rate, error, more, turned, offset in zip(planned, self.error, change, self.since(below, bit), self.offset)]
         code = (round(math.atan2(rates[1], rates[0]) / (2.0 * math.pi) * DIRECTIONS) % DIRECTIONS,
                 min(TENTHS, round(TENTHS * math.hypot(*rates) / self.tool_rate)))
-        if code != self.code and (len(self.told) == 1 or bit > self.told[-1][0] + self.apart):
+        if code != self.code and (len(self.schedule) == 1 or bit > self.schedule[-1][0] + self.apart):
             toolface, rate = code[0] * 2.0 * math.pi / DIRECTIONS, code[1] / TENTHS * self.tool_rate
-            self.told.append([bit, (rate * math.cos(toolface), rate * math.sin(toolface))])
+            self.schedule.append([bit, (rate * math.cos(toolface), rate * math.sin(toolface))])
             self.code, self.bits, self.began = code, downlink(*code), readings.t
 
     def share_of_flow(self, readings):

@@ -10,7 +10,7 @@ from drill_rig_sim.field.moves import OFF_BOTTOM, moves_of
 from drill_rig_sim.field.record import RecordError, read_record
 from drill_rig_sim.field.window import between, inside, limits, stretches
 from drill_rig_sim.json_file import write_json
-from drill_rig_sim.refusal import Refusal, after, told
+from drill_rig_sim.refusal import Refusal, after, refusal_lines
 from drill_rig_sim.score_command import BAD_INPUT, GOOD
 from drill_rig_sim.units import SYSTEMS, Units
 
@@ -105,7 +105,7 @@ def main(words):
         print("".join("drill weights: %s\n" % line for line in remarks_on(record, moves, odd)), end="", file=sys.stderr)
         return GOOD
     except Refusal as error:
-        print(told("drill weights", error), file=sys.stderr)
+        print(refusal_lines("drill weights", error), file=sys.stderr)
         return BAD_INPUT
     except OSError as error:
         print("drill weights: %s: %s" % (error.filename, error.strerror), file=sys.stderr)

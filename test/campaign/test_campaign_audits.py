@@ -194,7 +194,7 @@ class Page(unittest.TestCase):
         out = io.StringIO()
         results = mock.Mock(rows=lambda: iter([]), audits=lambda: iter([{"status": "missed"}, {"status": "right"}]))
         with contextlib.redirect_stdout(out):
-            command.told(results, 0)
+            command.print_outcome(results, 0)
         self.assertTrue(out.getvalue().endswith("2 runs were audited: 1 right, 1 wrong without a warning\n"), out.getvalue())
 
 

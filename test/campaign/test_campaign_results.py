@@ -41,7 +41,7 @@ class File(test_campaign_parts.Folder):
         results.add([self.ROW, *(("k%d" % k, [2.0], status, "why %d" % k, {}, 9.0, "w") for k, status in ((2, "judge"), (3, "cpu"), (4, "cpu")))])
         out = io.StringIO()
         with redirect_stdout(out):
-            self.assertEqual(1, command.told(results, 4))
+            self.assertEqual(1, command.print_outcome(results, 4))
         self.assertEqual("4 of 4 runs are in the results: 2 cpu, 1 good, 1 judge\ncpu, first run 2: why 3\njudge, first run 1: why 2\n", out.getvalue())
 
     def test_what_is_left_is_told_once_a_run_is_done(self):

@@ -43,7 +43,7 @@ class Source:
                 scope = {"__name__": "drill_campaign_" + hashlib.sha256(self.text.encode()).hexdigest()[:12]}
                 exec(compile(self.text, self.module, "exec"), scope)  # pylint: disable=exec-used
         except USER_ERRORS as error:
-            raise SourceError(told(error, self.module)) from error
+            raise SourceError(error_line(error, self.module)) from error
         if self.name not in scope:
             raise SourceError("%s has no %s" % (self.module, self.name))
         return scope[self.name]
@@ -141,7 +141,7 @@ class Blueprint:
         return {**self.__dict__, "folder": None}
 
 
-def told(error, file=""):
+def error_line(error, file=""):
     """An error of the user's code in one line: the place in the user's file, else the place of the error."""
     frames = traceback.extract_tb(error.__traceback__)
     at = ([frame for frame in frames if frame.filename == file] or frames)[-1]

@@ -58,17 +58,17 @@ class Progress:
 
     def __init__(self, left, out=sys.stderr, good=(RUN_GOOD,)):
         self.left, self.done, self.bad, self.out, self.good = left, 0, 0, out, good
-        self.began, self.told = time.monotonic(), 0.0
+        self.began, self.printed = time.monotonic(), 0.0
 
     def count(self, status):
         self.done += 1
         self.bad += status not in self.good
-        if time.monotonic() - self.told > (0.5 if self.out.isatty() else 10.0):
+        if time.monotonic() - self.printed > (0.5 if self.out.isatty() else 10.0):
             self.tell()
 
     def tell(self, last=False):
-        self.told = time.monotonic()
-        rate = self.done / max(self.told - self.began, 1e-9)
+        self.printed = time.monotonic()
+        rate = self.done / max(self.printed - self.began, 1e-9)
         to_go = clock((self.left - self.done) / rate) if self.done else "?"
         line = "%d of %d done, %d of them bad, %.3g a second, %s to go" % (self.done, self.left, self.bad, rate, to_go)
         ends = "\n" if last or not self.out.isatty() else "\x1b[K\r"
@@ -103,7 +103,7 @@ def fill(results, plan, keys, identity, options):
     if todo:
         do(plan.blueprint, todo, identity, results, options)
     audit(plan.blueprint, identity, results, options)
-    return told(results, len(keys))
+    return print_outcome(results, len(keys))
 
 
 def audit(blueprint, identity, results, options):
@@ -164,7 +164,7 @@ def do(blueprint, todo, identity, results, options, table=RUNS):
         raise Said("%s; %d %s are done, the same command continues" % (error, kept.number, table)) from error
 
 
-def told(results, number):
+def print_outcome(results, number):
     counts, first = {}, {}
     for row in results.rows():
         counts[row["status"]] = counts.get(row["status"], 0) + 1

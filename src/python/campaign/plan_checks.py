@@ -5,7 +5,7 @@ import inspect
 import re
 
 from drill_rig_sim.campaign import played
-from drill_rig_sim.campaign.blueprint import CONTROLLER, USER_ERRORS, in_scene, told
+from drill_rig_sim.campaign.blueprint import CONTROLLER, USER_ERRORS, error_line, in_scene
 from drill_rig_sim.campaign.outputs import check
 from drill_rig_sim.campaign.plan_text import PlanError
 from drill_rig_sim.campaign.runner import one_line
@@ -146,7 +146,7 @@ def check_law(plan, row):
         law = blueprint.controller.load()(**blueprint.parameters_of(row))
         missing = [name for name in NEEDED if not hasattr(law, name)]
     except USER_ERRORS as error:
-        raise LawError(told(error, blueprint.controller.module)) from error
+        raise LawError(error_line(error, blueprint.controller.module)) from error
     where = plan.places[CLASS]
     if missing or not callable(law.step):
         where.fail("%s has no %s; a law needs period [s], done and step(readings)" % (where.text(), ", ".join(missing) or "step(readings)"))

@@ -3,7 +3,7 @@
 import math
 
 import numpy
-from drill_rig_sim.campaign.blueprint import USER_ERRORS, told
+from drill_rig_sim.campaign.blueprint import USER_ERRORS, error_line
 from drill_rig_sim.control import drive
 from drill_rig_sim.lockstep import series
 from drill_rig_sim.score import score
@@ -120,4 +120,4 @@ def output_of(name, what, played):
     except MemoryError:
         raise
     except USER_ERRORS as error:
-        raise Unjudged("%s: %s" % (name, told(error, "" if isinstance(what, str) else what.module))) from error
+        raise Unjudged("%s: %s" % (name, error_line(error, "" if isinstance(what, str) else what.module))) from error

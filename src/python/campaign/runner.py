@@ -11,7 +11,7 @@ import sys
 import threading
 import time
 
-from drill_rig_sim.campaign.blueprint import USER_ERRORS, told
+from drill_rig_sim.campaign.blueprint import USER_ERRORS, error_line
 
 GOOD, REFUSED, FAILED, CONTROLLER, JUDGE, CPU, WALL, MEMORY, DIED = (
     "good", "refused", "failed", "controller", "judge", "cpu", "wall", "memory", "died")  # of a run
@@ -85,7 +85,7 @@ def outcome(blueprint, row, identity=None, verified=False):
     except MemoryError:
         raise
     except USER_ERRORS as error:
-        return CONTROLLER, told(error, "" if blueprint.controller is None else blueprint.controller.module), {}, over
+        return CONTROLLER, error_line(error, "" if blueprint.controller is None else blueprint.controller.module), {}, over
 
 
 def one_line(refusal, blueprint):

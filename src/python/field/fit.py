@@ -218,10 +218,10 @@ def minimum(problem, begin):
 def inverse(information):
     """In the parameters' own scales; infinite where the data do not determine it."""
     sizes = numpy.sqrt(numpy.diag(information))
-    told = sizes > 0.0
-    covariance = numpy.diag(numpy.where(told, 0.0, numpy.inf))
-    scaled = information[numpy.ix_(told, told)] / numpy.outer(sizes[told], sizes[told])
-    covariance[numpy.ix_(told, told)] = numpy.linalg.pinv(scaled) / numpy.outer(sizes[told], sizes[told])
+    known = sizes > 0.0
+    covariance = numpy.diag(numpy.where(known, 0.0, numpy.inf))
+    scaled = information[numpy.ix_(known, known)] / numpy.outer(sizes[known], sizes[known])
+    covariance[numpy.ix_(known, known)] = numpy.linalg.pinv(scaled) / numpy.outer(sizes[known], sizes[known])
     return covariance
 
 

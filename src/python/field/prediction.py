@@ -11,16 +11,16 @@ class Prediction:
     def __init__(self, model, problem, fitted, values):
         """`values` of the fit's parameters; those of `fitted` are not looked at."""
         matrix = problem.slopes(values)
-        told = numpy.isfinite(numpy.diag(fitted.covariance))
-        covariance = fitted.covariance[numpy.ix_(told, told)]
-        variance = numpy.einsum("ki,ij,kj->k", matrix[:, told], covariance, matrix[:, told])
-        needs_untold = (numpy.nan_to_num(matrix[:, ~told], nan=1.0) != 0.0).any(axis=1)
+        known = numpy.isfinite(numpy.diag(fitted.covariance))
+        covariance = fitted.covariance[numpy.ix_(known, known)]
+        variance = numpy.einsum("ki,ij,kj->k", matrix[:, known], covariance, matrix[:, known])
+        needs_untold = (numpy.nan_to_num(matrix[:, ~known], nan=1.0) != 0.0).any(axis=1)
         scatter = numpy.array([fitted.scatter[signal] for signal in problem.signals])
         self.groups, (self.axis, self.places) = model.groups, model.axis
         self.signals, self.observed, self.predicted = problem.signals, problem.observed, problem.predict(values)
         self.confidence = numpy.where(needs_untold, numpy.inf, fitted.student * numpy.sqrt(numpy.maximum(variance, 0.0)))
         self.band = numpy.hypot(self.confidence, fitted.student * numpy.hypot(scatter, problem.errors))
-        self.untold = [p.name for p, known, column in zip(problem.parameters, told, matrix.T) if not known and numpy.nan_to_num(column, nan=1.0).any()]
+        self.untold = [p.name for p, is_known, column in zip(problem.parameters, known, matrix.T) if not is_known and numpy.nan_to_num(column, nan=1.0).any()]
         self.untold += ["the scatter of %s" % signal for signal in dict.fromkeys(map(str, problem.signals)) if not numpy.isfinite(fitted.scatter[signal])]
 
     @property
