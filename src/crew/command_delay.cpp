@@ -48,9 +48,4 @@ const Setpoints& CommandDelay::given_before(double time) const noexcept
   return at(back).given;
 }
 
-void CommandDelay::shift_time(double shift) noexcept
-{
-  for (Sample& sample : line_) sample.time += shift;
-}
-
 }  // namespace drill_rig_sim

@@ -107,13 +107,6 @@ Setpoints CommandState::in_force() const noexcept
   return safe;
 }
 
-void CommandState::shift_time(double shift) noexcept
-{
-  last_taken += shift;
-  last_winch += shift;
-  last_drive += shift;
-}
-
 CommandResult take(const RigSpec& rig, double now, const WinchSetpoint& c, CommandState& state) noexcept
 {
   if (const char* wrong = what_is_wrong(c)) return refused(wrong);

@@ -151,6 +151,8 @@ State made_up(const Model& model, const State& before, int held, double travel, 
   state.memory.last_step = 0.0;
   for (PastQuantity& past : state.memory.past) past.nodes.resize(nodes);
   state.step.wanted = 0.0;
+  if (travel < 0.0 && state.faults.leak_from_bit > model.mesh().nodes[first - 1].from_bit)
+    state.faults.leak_area = state.faults.leak_from_bit = 0.0;  // the leaking pipe is laid down
   renew_temperature(model, state);
   state.mud_waves = waves_at_rest(model.mud().waves, state.time, state.hydraulics.strokes);  // the open string has no pressure
   return state;

@@ -62,10 +62,4 @@ void DynamicsTool::update(double time, double flow, const SubView& view) noexcep
   if (flowing) queue_.pop_before(time - spec_.latency + time_rounding, arrived_);
 }
 
-void DynamicsTool::shift_time(double shift) noexcept
-{
-  queue_.shift_time(shift);
-  for (double* time : {&arrived_.time, &began_, &last_time_}) *time += shift;
-}
-
 }  // namespace drill_rig_sim

@@ -29,11 +29,6 @@ double RateMeter::rate(double depth, double time) noexcept
   return time > oldest.time ? (depth - oldest.depth) / (time - oldest.time) : 0.0;
 }
 
-void RateMeter::shift_time(double shift) noexcept
-{
-  for (Sample& sample : samples_) sample.time += shift;
-}
-
 Instruments::Instruments(const Scene& scene, const Truth& at_start, std::uint64_t seed)
     : place_(scene.instruments.hook_load.place),
       block_weight_(standard_gravity * scene.rig.hoisting.block_mass),
@@ -127,16 +122,6 @@ void Instruments::set_zero(double hook_load, double pressure, Readings& readings
   tare_hook_load_ = hook_load;
   tare_pressure_ = pressure;
   work_out_weights(readings);
-}
-
-void Instruments::shift_time(double shift) noexcept
-{
-  for (Sensor& gauge : gauges_) gauge.shift_time(shift);
-  mwd_.shift_time(shift);
-  dynamics_.shift_time(shift);
-  rop_.shift_time(shift);
-  hook_load_mean_.shift_time(shift);
-  zero_mean_.shift_time(shift);
 }
 
 }  // namespace drill_rig_sim

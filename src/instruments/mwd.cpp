@@ -23,16 +23,6 @@ Mwd::Mwd(const MwdSpec& survey, const ToolfaceSpec& toolface, NoiseSource noise)
 {
 }
 
-void Mwd::shift_time(double shift) noexcept
-{
-  surveys_.shift_time(shift);
-  toolfaces_.shift_time(shift);
-  inclinations_.shift_time(shift);
-  for (double* time :
-       {&next_survey_, &next_toolface_, &next_inclination_, &quiet_since_, &quiet_survey_.time, &inclination_.time})
-    *time += shift;
-}
-
 double Mwd::measured_inclination(const SensorView& view) noexcept
 {
   const double noise = survey_.noise > 0.0 ? survey_.noise * noise_.normal() : 0.0;

@@ -28,10 +28,4 @@ double PeriodMean::mean() const noexcept
   return now_.time > begin ? (now_.integral - integral) / (now_.time - begin) : value_;
 }
 
-void PeriodMean::shift_time(double shift) noexcept
-{
-  for (Sample& sample : samples_) sample.time += shift;
-  now_.time += shift;
-}
-
 }  // namespace drill_rig_sim

@@ -134,12 +134,4 @@ double Sensor::delayed(double truth, double time) const noexcept
   return value;
 }
 
-void Sensor::shift_time(double shift) noexcept
-{
-  for (Sample& sample : line_) sample.time += shift;
-  last_time_ += shift;
-  next_sample_ += shift;
-  last_sample_ += shift;
-}
-
 }  // namespace drill_rig_sim

@@ -283,7 +283,8 @@ std::string Services::restore_state(const RestoreState::Request& request)
   loop_.between_frames(
       [&](SimulationLoop& loop)
       {
-        loop.go_back(*saved.state, *saved.player, saved.playing, saved.commands);
+        if (!loop.go_back(*saved.state, *saved.player, saved.playing, saved.commands))
+          throw Refusal("the state does not fit the scene: its string has another mesh");
         kernel = loop.rig().simulator->statistics().kernel;
       });
   std::string restored = "restored " + (request.file.empty() ? request.name : request.file);

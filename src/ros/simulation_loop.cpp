@@ -275,9 +275,9 @@ void SimulationLoop::restart_cadences() noexcept
     cadence->restart();
 }
 
-void SimulationLoop::go_back(const SimulatorState& state, const ScenePlayer& player, bool playing, const CommandStamps& commands)
+bool SimulationLoop::go_back(const SimulatorState& state, const ScenePlayer& player, bool playing, const CommandStamps& commands)
 {
-  rig_.simulator->restore(state);
+  if (!rig_.simulator->restore(state)) return false;
   ++epoch_;
   rig_.player = player;
   rig_.playing = playing;
@@ -287,6 +287,7 @@ void SimulationLoop::go_back(const SimulatorState& state, const ScenePlayer& pla
   mailbox_.clear();
   set_timeout();
   publish_now(false);
+  return true;
 }
 
 void SimulationLoop::hand_over_again() noexcept

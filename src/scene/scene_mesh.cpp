@@ -237,11 +237,11 @@ ElementLengths element_lengths(const Scene& scene) noexcept
   return lengths;
 }
 
-Mesh build_mesh(const Scene& scene, double total_length)
+Mesh build_mesh(const Scene& scene, double total_length, double bit_depth)
 {
   Mesh mesh = build_mesh(scene.string, scene.contact, scene.mud, element_lengths(scene), total_length);
-  const auto hole_diameter = [&scene](double from_bit)
-  { return scene.well.sections[section_at(scene.well.sections, scene.start.bit_depth - from_bit)].diameter; };
+  const auto hole_diameter = [&scene, bit_depth](double from_bit)
+  { return scene.well.sections[section_at(scene.well.sections, bit_depth - from_bit)].diameter; };
   MudSpec mud = scene.mud;
   if (scene.rheology) mud.viscosity = plastic_viscosity(curve_of(*scene.rheology, mud.viscosity));
   set_mud_damping(mud, hole_diameter, mesh);

@@ -64,8 +64,14 @@ void CommandIntake::watch() noexcept
 {
   watch_commands(timeout_, motion_.now(), commands_);
   steer();
-  watch_interlocks(scene_.rig, state_.readings, commands_.in_force(), interlocks_);
   delay_.take(commands_.in_force(), motion_.now());
+  watch_interlocks(scene_.rig, state_.readings, commands_.in_force(), passed(), interlocks_);
+}
+
+/// What the actuators get after dead times.
+Setpoints CommandIntake::passed() const noexcept
+{
+  return delay_.is_on() ? delay_.passed() : commands_.in_force();
 }
 
 /// What the tool in the string receives, and where it points.
@@ -83,7 +89,7 @@ void CommandIntake::steer() noexcept
 
 Setpoints CommandIntake::in_force() const noexcept
 {
-  return restrained(delay_.is_on() ? delay_.passed() : commands_.in_force(), interlocks_, state_.mechanics.faults);
+  return restrained(passed(), interlocks_, state_.mechanics.faults);
 }
 
 void CommandIntake::follow(const FrameOrder& order) noexcept
@@ -92,13 +98,6 @@ void CommandIntake::follow(const FrameOrder& order) noexcept
   delay_.follow(order.passed);
   downlink_ = order.downlink;
   interlocks_ = order.interlocks;
-}
-
-void CommandIntake::shift_time(double shift) noexcept
-{
-  commands_.shift_time(shift);
-  delay_.shift_time(shift);
-  downlink_.shift_time(shift);
 }
 
 }  // namespace drill_rig_sim

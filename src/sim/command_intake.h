@@ -58,11 +58,10 @@ public:
 
   /// As those of the rig that a companion goes along with.
   void follow(const FrameOrder& order) noexcept;
-  /// Moves all they remember by `shift` [s].
-  void shift_time(double shift) noexcept;
 
 private:
   void steer() noexcept;
+  Setpoints passed() const noexcept;
 
   const Scene& scene_;
   const Motion& motion_;

@@ -54,15 +54,21 @@ const SimulatedRig& Companions::companion(int i) noexcept
   return *rigs_[static_cast<std::size_t>(i)];
 }
 
+const char* Companions::failure_of(int i) noexcept
+{
+  const char* own = companion(i).failure;
+  return *own || goes_on() ? own : "companions were given up: the first one was too slow";
+}
+
 void Companions::save(SimulatorState& saved) const
 {
   for (const std::unique_ptr<SimulatedRig>& companion : rigs_) saved.companions.states.push_back(companion->state);
 }
 
-void Companions::restore(const SimulatorState& saved, bool keep_time)
+void Companions::restore(const SimulatorState& saved)
 {
   for (std::size_t i = 0; i < rigs_.size(); ++i)
-    if (i >= saved.companions.states.size() || !rigs_[i]->restore(saved.companions.states[i], keep_time))
+    if (i >= saved.companions.states.size() || !rigs_[i]->restore(saved.companions.states[i]))
       rigs_[i]->failure = "the companion is not in the snapshot";
 }
 

@@ -40,6 +40,8 @@ public:
   }
   /// After the frames that they have to compute.
   const SimulatedRig& companion(int i) noexcept;
+  /// Why it no longer goes along, after those frames; empty while it does.
+  const char* failure_of(int i) noexcept;
   /// Does something to all companions that go along, after the frames that they have to compute.
   template <class Does>
   void lead(const Does& does) noexcept;
@@ -54,7 +56,7 @@ public:
   /// Adds their states to one of the rig.
   void save(SimulatorState& saved) const;
   /// One that is not in it fails.
-  void restore(const SimulatorState& saved, bool keep_time);
+  void restore(const SimulatorState& saved);
 
 private:
   /// There are some, and they were not given up because their thread was too slow.

@@ -18,8 +18,8 @@ constexpr double zeroing_speed = 0.02;   // the same where the weight is zeroed 
 constexpr double slacking_speed = 0.01;  // [m/s]
 constexpr double slowest = 5e-4;         // of it when the slips carry hardly anything [m/s]
 constexpr double by_load = 5e-7;         // of the block's speed by what the hook carries too much [m/s/N]
-constexpr double share_in_a_frame =
-    0.5;  // of what the hook carries too much that is taken off in one frame at most: by twice that the block would swing
+constexpr double share_at_a_time =
+    0.5;  // of what the hook carries too much, before the gauge shows what a set point does: by twice that the block would swing
 constexpr double rests = 2e3;  // what the pipe above the slips may carry to count as slack [N]
 constexpr double rest_time = 5.0,
                  quiet_block = 2e-3;                  // the string rings in its lines before it is laid into the slips [s], [m/s]
@@ -36,11 +36,23 @@ bool stands(const State& state) noexcept
   return std::abs(state.hoist.winch_speed) <= standing_winch;
 }
 
+/// Between a set point of the winch and what it does [s].
+double dead_time(const RigSpec& rig) noexcept
+{
+  return rig.plc_latency + rig.hoisting.latency;
+}
+
+/// That the block goes before a set point given now acts [m].
+double goes_on_by(const State& state, const RigSpec& rig) noexcept
+{
+  return std::abs(state.hoist.winch_speed) * dead_time(rig);
+}
+
 /// In which the block stops from the winch's speed [m].
-double stopping_distance(const State& state, const HoistingSpec& spec) noexcept
+double stopping_distance(const State& state, const RigSpec& rig) noexcept
 {
   const double speed = state.hoist.winch_speed;
-  return 0.5 * speed * speed / spec.max_acceleration + 0.02;
+  return goes_on_by(state, rig) + 0.5 * speed * speed / rig.hoisting.max_acceleration + 0.02;
 }
 }  // namespace
 
@@ -92,7 +104,7 @@ bool CrewWork::has_to_add() const noexcept
   const double stand = spec.stand_joints * rig_.scene.string.back().joint_length;
   const double stump = rig_.state.string.length - rig_.pipe.place_of(uppermost_joint(mesh));
   const double height = height_to_add(spec, stump, stand + lift_over_waves(rig_.scene.rig.heave));
-  return block_height(now) <= height + stopping_distance(now, spec);
+  return block_height(now) <= height + stopping_distance(now, rig_.scene.rig);
 }
 
 bool CrewWork::has_to_take_away() const noexcept
@@ -102,11 +114,12 @@ bool CrewWork::has_to_take_away() const noexcept
   const int below_stand = rig_.pipe.joint_below_stand();
   if (below_stand < 0) return false;
   const double joint = now.nodes[static_cast<std::size_t>(below_stand)].position.z() - now.hoist.floor.height;
-  const double stop = stopping_distance(now, spec);
+  const double stop = stopping_distance(now, rig_.scene.rig);
   return joint >= stick_up - stop || block_height(now) >= spec.highest_block_height - stop;
 }
 
-/// What brings the pipe above the slips to hang on the hook, no more and no less; for a frame [s].
+/// What brings the pipe above the slips to hang on the hook, no more and no less; for a frame [s]. A set point acts a frame and
+/// the dead times later: faster, the block would swing about that place.
 WinchSetpoint CrewWork::to_slack(double frame) const noexcept
 {
   const HoistingSpec& spec = rig_.scene.rig.hoisting;
@@ -114,7 +127,8 @@ WinchSetpoint CrewWork::to_slack(double frame) const noexcept
   const double load = rig_.pipe.rest_load();
   if (std::abs(load) <= rests) return {0.0, false};
   const double stiffness = line_pull(spec, block_height(now), now.hoist.line_length).stiffness;
-  const double gain = std::min(by_load, share_in_a_frame / std::max(stiffness * frame, share_in_a_frame));
+  const double late = frame + dead_time(rig_.scene.rig);
+  const double gain = std::min(by_load, share_at_a_time / std::max(stiffness * late, share_at_a_time));
   return run(std::clamp(-gain * load, -slacking_speed, slacking_speed), spec);
 }
 
@@ -124,13 +138,14 @@ bool CrewWork::has_done(double frame, WinchSetpoint& winch) noexcept
   const HoistingSpec& spec = rig_.scene.rig.hoisting;
   const State& now = rig_.motion.shown_at_ends();
   const double height = block_height(now), lift = stick_up + lift_over_waves(rig_.scene.rig.heave);
+  const double goes_on = goes_on_by(now, rig_.scene.rig);
   winch = {0.0, false};
   switch (crew_.doing)
   {
     case CrewTask::stopping:
       return stands(now);
     case CrewTask::lifting:
-      if (height < crew_.stopped_at + lift && crew_.waited < patience) winch = run(lifting_speed, spec);
+      if (height + goes_on < crew_.stopped_at + lift && crew_.waited < patience) winch = run(lifting_speed, spec);
       return winch.block_velocity == 0.0 && stands(now);
     case CrewTask::quieting:
       return has_quieted();
@@ -147,7 +162,7 @@ bool CrewWork::has_done(double frame, WinchSetpoint& winch) noexcept
       return has_restarted();
     default:
       winch = run(zeroes_at(height) && rig_.scene.rig.heave.amplitude == 0.0 ? -zeroing_speed : -lowering_speed, spec);
-      return height <= crew_.stopped_at + above_bottom || crew_.waited > patience;
+      return height - goes_on <= crew_.stopped_at + above_bottom || crew_.waited > patience;
   }
 }
 

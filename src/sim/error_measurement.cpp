@@ -86,9 +86,9 @@ void ErrorMeasurement::end(const char* reason) noexcept
   statistics_.not_measured = reason;
 }
 
-void ErrorMeasurement::restore(const SimulatorState& saved, bool keep_time)
+void ErrorMeasurement::restore(const SimulatorState& saved)
 {
-  companions_.restore(saved, keep_time);
+  companions_.restore(saved);
   if (!has_companion()) return;
   if (saved.companion_ended) companions_.fail_first("the companion had ended when the state was saved");
   if (*companions_.first_failure()) companions_.end();

@@ -27,7 +27,7 @@ public:
   /// Waits for all frames that were ordered.
   void collect_all() noexcept;
   /// Companions and their measured error as of a state of the rig, which itself is restored already.
-  void restore(const SimulatorState& saved, bool keep_time);
+  void restore(const SimulatorState& saved);
 
 private:
   bool has_companion() const noexcept;

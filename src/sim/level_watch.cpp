@@ -69,6 +69,8 @@ bool LevelWatch::calm(const Model& model, const RigForces& forces, const State& 
 
 void LevelWatch::look(const Model& model, const RigForces& forces, double duration, State& state, LevelMemory& memory) noexcept
 {
+  const double since = memory.unseen + duration;
+  memory.unseen = 0.0;
   if (free_length_ != memory.free_length) follow(model, memory.free_length);
   if (memory.moved)
   {
@@ -89,7 +91,7 @@ void LevelWatch::look(const Model& model, const RigForces& forces, double durati
     memory.calm = 0.0;
     return;
   }
-  memory.calm += duration;
+  memory.calm += since;
   if (memory.calm < patience) return;
   if (change_guided(model, guided_, forces, state)) ++memory.closed;
   memory.calm = 0.0;

@@ -123,13 +123,6 @@ void Measurement::warn_of_error(const AccuracyReport& report) noexcept
   truth_.accuracy_warning = readings_.accuracy_warning = true;
 }
 
-void Measurement::shift_time(double shift, double now) noexcept
-{
-  truth_.time = readings_.time = now;
-  zero_mean_.shift_time(shift);
-  instruments_.shift_time(shift);
-}
-
 /// That the motor's torque needs [Pa].
 double Measurement::motor_pressure() const noexcept
 {

@@ -47,8 +47,6 @@ public:
     statistics_.accuracy = accuracy_.report;
     looked_at_ = NAN;
   }
-  /// Moves all they remember by `shift` to `now` [s].
-  void shift_time(double shift, double now) noexcept;
 
 private:
   void note_ring() noexcept;

@@ -48,6 +48,7 @@ double Motion::free_length_of(const Model& longer) const noexcept
 
 bool Motion::advance(double duration, const Setpoints& setpoints) noexcept
 {
+  if (lost_) return false;
   if (variable_) return advance_in_strides(duration, setpoints);
   level_watch_.look(*model_, forces_, duration, mechanics_, levels_);
   const int steps = std::max(1, static_cast<int>(std::lround(duration * numerics_.refinement / numerics_.step)));
@@ -78,6 +79,8 @@ bool Motion::advance_in_strides(double duration, const Setpoints& setpoints) noe
     level_watch_.look(*model_, forces_, duration, mechanics_, levels_);
     if (!begin_stride(duration)) return take_steps(duration, 1, setpoints);
   }
+  else
+    levels_.unseen += duration;
   stride_.played += duration;
   if (stride_.played < stride_.length - time_rounding)
   {
@@ -162,7 +165,8 @@ bool Motion::settle() noexcept
   const double played = stride_.played;
   stride_.length = stride_.played = 0.0;
   if (balance_) *balance_ = *balance_before_;
-  return take_steps(played, 1, stride_.setpoints);
+  lost_ = !take_steps(played, 1, stride_.setpoints);
+  return !lost_;
 }
 
 bool Motion::set_free_length(double from_bit) noexcept
@@ -204,6 +208,7 @@ void Motion::take_model(std::shared_ptr<const Model> model)
 void Motion::resume() noexcept
 {
   integrator_->restart();
+  lost_ = false;
   if (variable_ && stride_.length > 0.0)
   {
     if (solve_stride())
@@ -211,7 +216,9 @@ void Motion::resume() noexcept
     else
       settle();
   }
-  if (balance_) balance_->restart();
+  if (!balance_) return;
+  balance_->restart();
+  *balance_before_ = *balance_;  // of the stride under way, whose start is not known
 }
 
 void Motion::balance_energy(bool on)

@@ -55,12 +55,6 @@ public:
   /// Guides all nodes that are more than `from_bit` above the bit's face [m]. False, and nothing changed: more than is free now,
   /// or a level or integrator that has no choice.
   bool set_free_length(double from_bit) noexcept;
-  /// Moves the clock by `shift` [s].
-  void shift_time(double shift) noexcept
-  {
-    mechanics_.time += shift;
-    mechanics_.mud_waves.time += shift;
-  }
 
   /// Goes on with another string in this state, settled before. Allocates.
   void go_on_with(std::shared_ptr<const Model> model, State state, RigForces forces, double free_length);
@@ -94,6 +88,7 @@ private:
   std::unique_ptr<EnergyBalance> balance_before_;  // as it was at the start of the stride under way
   LevelWatch level_watch_;
   const bool variable_;  // steps, numerics.step 0
+  bool lost_ = false;    // the state is not at the last frame's end, because settle() found no solution
   // while a stride is under way: its end, and what the last frame shows
   State stride_end_;
   RigForces end_forces_;

@@ -204,7 +204,7 @@ std::shared_ptr<const Model> PipeHandling::model_of(const StringBuilt& string) c
 {
   Scene there = scene_;
   there.start.bit_depth = string.bit_depth;
-  return std::make_shared<Model>(there, build_mesh(scene_, string.length));
+  return std::make_shared<Model>(there, build_mesh(scene_, string.length, string.bit_depth));
 }
 
 void PipeHandling::string_changed()

@@ -87,6 +87,7 @@ void SimulatedRig::count_frame() noexcept
   statistics.coordinates = coordinates_of(motion.shown_at_ends(), guided);
   statistics.guided_nodes = guided;
   statistics.guided_node_frames += static_cast<std::uint64_t>(guided);
+  has_begun = true;
   ++statistics.frames;
   const StepperCounters& counters = integrator.counters();
   statistics.steps = counters.steps;
@@ -130,9 +131,8 @@ void SimulatedRig::string_changed()
   statistics.nodes = motion.model()->nodes();
 }
 
-bool SimulatedRig::restore(const SimulatorState& saved, bool keep_time)
+bool SimulatedRig::restore(const SimulatorState& saved)
 {
-  const double before = motion.now();
   const bool another_string = saved.string.length != state.string.length || saved.string.bit_depth != state.string.bit_depth;
   const std::shared_ptr<const Model> restored = another_string ? pipe.model_of(saved.string) : motion.model();
   if (restored->mesh().nodes.size() != saved.mechanics.nodes.size()) return false;
@@ -148,20 +148,11 @@ bool SimulatedRig::restore(const SimulatorState& saved, bool keep_time)
     motion.take_model(restored);
     string_changed();
   }
-  if (keep_time) shift_time(before);
   motion.resume();
   measurement.resume();
   failure = "";
+  has_begun = true;
   return true;
-}
-
-/// Only the simulator's clock: everything that is a time moves with it.
-void SimulatedRig::shift_time(double now) noexcept
-{
-  const double shift = now - motion.now();
-  motion.shift_time(shift);
-  measurement.shift_time(shift, now);
-  commands.shift_time(shift);
 }
 
 }  // namespace drill_rig_sim

@@ -29,8 +29,8 @@ struct SimulatedRig
   void follow(const FrameOrder& order) noexcept;
   /// Makes up the string of a connection that is over. Allocates.
   void end_connection();
-  /// False, and nothing changed: its string is not what it says. Allocates. `keep_time`: simulated time runs on from now.
-  bool restore(const SimulatorState& saved, bool keep_time);
+  /// False, and nothing changed: its string is not what it says. Allocates.
+  bool restore(const SimulatorState& saved);
   /// Only the first reason counts; static storage.
   void fail(const char* reason) noexcept
   {
@@ -50,11 +50,11 @@ struct SimulatedRig
   PipeHandling pipe;
   Measurement measurement;
   const char* failure = "";  // empty while it runs
+  bool has_begun = false;    // it is no longer at the scene's start
 
 private:
   SimulatedRig(const Scene& scene, std::uint64_t seed, RigAtRest&& rig);
   void string_changed();
-  void shift_time(double now) noexcept;
   void count_start() noexcept;
   void count_frame() noexcept;
 };

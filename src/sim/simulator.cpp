@@ -293,7 +293,7 @@ void Simulator::call_crew(bool on) noexcept
 
 int Simulator::add_companion(const NumericsSpec& numerics)
 {
-  if (impl_->rig.statistics.frames > 0) throw std::runtime_error("companion: must be set before the first frame");
+  if (impl_->rig.has_begun) throw std::runtime_error("companion: must be set before the first frame");
   Scene scene = impl_->rig.scene;
   scene.numerics = numerics;
   scene.numerics.companion = CompanionKind::none;
@@ -323,7 +323,7 @@ const SimulatorStatistics& Simulator::companion_statistics(int i) const noexcept
 
 const char* Simulator::companion_failure(int i) const noexcept
 {
-  return impl_->companions.companion(i).failure;
+  return impl_->companions.failure_of(i);
 }
 
 double Simulator::measured_error(Output output) const noexcept
@@ -350,11 +350,11 @@ std::shared_ptr<const SimulatorState> Simulator::save() const
   return saved;
 }
 
-bool Simulator::restore(const SimulatorState& state, bool keep_time)
+bool Simulator::restore(const SimulatorState& state)
 {
   impl_->error.collect_all();
-  if (state.scene != impl_->rig.state.scene || !impl_->rig.restore(state, keep_time)) return false;
-  impl_->error.restore(state, keep_time);
+  if (state.scene != impl_->rig.state.scene || !impl_->rig.restore(state)) return false;
+  impl_->error.restore(state);
   return true;
 }
 

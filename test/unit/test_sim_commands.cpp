@@ -68,24 +68,6 @@ TEST(CommandState, withoutATimeoutNothingIsSilent)
   }
 }
 
-// A snapshot restored with its own time shifted: the same commands at the same distance in time do the same.
-TEST(CommandState, shiftsWithTheClock)
-{
-  const RigSpec rig;
-  CommandState state;
-  take(rig, now, WinchSetpoint{0.0, false}, state);
-  take(rig, now, TopDriveSetpoint(), state);
-  take(rig, now, PumpSetpoint{-1.0}, state);
-  ASSERT_TRUE(state.clamped);
-  state.shift_time(5.0);
-  EXPECT_EQ(now + 5.0, state.last_winch);
-  EXPECT_EQ(now + 5.0, state.last_drive);
-  take(rig, now + 5.0, PumpSetpoint{0.0}, state);
-  EXPECT_TRUE(state.clamped) << "of the same frame";
-  take(rig, now + 5.01, PumpSetpoint{0.0}, state);
-  EXPECT_FALSE(state.clamped);
-}
-
 // The last good one stays, and the reason is one line that names the field.
 TEST(TopDriveCommand, nonsenseIsRefusedWhole)
 {

@@ -59,6 +59,16 @@ TEST(Companion, ofTheSameNumericsIsItsLeaderToTheBit)
   }
 }
 
+// It would begin at the scene's start.
+TEST(Companion, isRefusedAfterARestore)
+{
+  const Scene scene = drilling_scene(0.05);
+  Simulator other(scene, 3), rig(scene, 3);
+  drill(other);
+  ASSERT_TRUE(rig.restore(*other.save()));
+  EXPECT_THROW(rig.add_companion(rig.scene().numerics), std::runtime_error);
+}
+
 TEST(Companion, getsSetPointsAfterTheSameDeadTimes)
 {
   Scene scene = drilling_scene(0.05);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "drill_rig_sim/scene/scene_mesh.h"
 #include "in_slips.h"
 #include "sim_numbers.h"
 
@@ -118,6 +119,42 @@ TEST(Connection, takesAStandAway)
     EXPECT_NEAR(rig.truth().hook_load, before.hook_load - stand_weight, 50.0);
     EXPECT_NEAR(rig.readings().bit_depth, rig.truth().bit_depth, 1e-3);
   }
+}
+
+// 40 m into a wider hole: the mud resists pipe there as in a scene that starts with it there.
+TEST(Connection, theMudsDragIsThatOfTheHoleAroundTheString)
+{
+  Scene scene = slips_scene(Level::beam3d);
+  scene.mud = MudSpec();
+  const double bit = scene.start.bit_depth, shoe = bit - 20.0;
+  scene.well.sections.insert(scene.well.sections.begin(), scene.well.sections.front());
+  scene.well.sections.front().to = shoe;
+  scene.well.sections.front().diameter *= 1.5;
+  const double length = bit + scene.start.block_height;
+  const Mesh start = build_mesh(scene, length), pulled = build_mesh(scene, length, bit - 40.0);
+  Scene above = scene;
+  above.start.bit_depth = bit - 40.0;
+  ASSERT_EQ(start.nodes.size(), pulled.nodes.size());
+  EXPECT_LT(pulled.nodes[1].mud_across, 0.9 * start.nodes[1].mud_across);
+  EXPECT_EQ(pulled.nodes[0].mud_across, build_mesh(above, length).nodes[0].mud_across);
+  for (std::size_t k = 0; k < start.nodes.size(); ++k) EXPECT_EQ(start.nodes[k].from_bit, pulled.nodes[k].from_bit);
+}
+
+// The joint with the hole goes out with its stand.
+TEST(Connection, aLeakGoesWithItsPipe)
+{
+  Scene scene = slips_scene(Level::axial_torsional);
+  scene.start.block_height = 36.0 - stand;
+  Simulator rig(scene);
+  ASSERT_EQ(nullptr, rig.inject({FaultKind::washed_out_pipe, 10.0, 1e-4, Gauge::hook_load}));
+  rig.command(WinchSetpoint{0.5, false});
+  while (rig.truth().block_height < 36.0) ASSERT_EQ(play_frame(rig, nullptr, slips_frame), FrameStatus::running);
+  rig.command(WinchSetpoint{0.0, true});
+  play_on(rig, 10.0);
+  lay_into_slips(rig);
+  EXPECT_EQ(1e-4, rig.save()->mechanics.faults.leak_area);
+  connect(rig, 0, true);
+  EXPECT_EQ(0.0, rig.save()->mechanics.faults.leak_area);
 }
 
 // Slacked off further than needed, so that the block leans on the pipe by 60 kN: nothing jumps all the same, and the string that

@@ -72,6 +72,30 @@ TEST(Crew, addsAStandWhateverTheFramesLength)
   }
 }
 
+// What the crew sees of the hook comes as late as its set points act, and it stops the block as much earlier.
+TEST(Crew, addsAStandWhateverTheDeadTimes)
+{
+  for (const double late : {0.25, 1.0, 2.0})
+  {
+    Scene scene = soft_rock(Level::axial_torsional);
+    scene.rig.plc_latency = scene.rig.hoisting.latency = late;
+    Simulator rig(scene);
+    const int stands = rig.truth().stand_count;
+    turn_and_feed(rig, 0.05);
+    double slacked = 0.0, lowest = 1e9;
+    play_until(rig, slips_frame, 2e4,
+               [&](const Truth& m)
+               {
+                 if (m.crew == CrewTask::slacking) slacked += slips_frame;
+                 lowest = std::min(lowest, m.block_height);
+                 return m.stand_count == stands + 1 && m.crew == CrewTask::none;
+               });
+    EXPECT_EQ(rig.truth().stand_count, stands + 1) << late;
+    EXPECT_LT(slacked, 120.0) << late;
+    EXPECT_GT(lowest, scene.rig.hoisting.lowest_block_height) << late;
+  }
+}
+
 // Ten stands: the hole is ten stands deeper, the string ten stands longer, what was asked of drive and pump is in force again,
 // and the depths that the driller reads are the true ones but for the string's stretch, of which a tenth of a millimetre a stand
 // is new.

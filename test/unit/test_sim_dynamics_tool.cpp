@@ -100,23 +100,6 @@ TEST(DynamicsTool, hasNoIndexForPipeThatIsNotTurned)
   }
 }
 
-TEST(DynamicsTool, movesWithTheClock)
-{
-  DynamicsTool still(every(2.0, 3.0)), moved(every(2.0, 3.0));
-  double shift = 0.0;
-  for (int k = 0; k < 200; ++k)
-  {
-    if (k == 90) moved.shift_time(shift = 64.0);
-    SubView view;
-    view.torque = k;
-    still.update(0.125 * k, flow, view);
-    moved.update(0.125 * k + shift, flow, view);
-    ASSERT_EQ(still.arrived().sequence, moved.arrived().sequence) << k;
-    ASSERT_EQ(still.arrived().torque, moved.arrived().torque) << k;
-  }
-  EXPECT_EQ(still.arrived().time + 64.0, moved.arrived().time);
-}
-
 // Above the collars of a vertical well without friction: nothing on it off bottom, the bit's weight, torque and the drive's speed
 // on it.
 TEST(DynamicsTool, seesWhatTheBitCarries)

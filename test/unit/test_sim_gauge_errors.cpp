@@ -8,7 +8,6 @@
 #include "drill_rig_sim/instruments/instruments.h"
 #include "drill_rig_sim/math/units.h"
 #include "drill_ahead.h"
-#include "shifted_sensor.h"
 #include "sim_numbers.h"
 #include "test_scenes.h"
 
@@ -245,14 +244,6 @@ TEST(Sensor, neverBeginsWithADropOut)
     EXPECT_EQ(3.5, sensor.read(3.5, 0.0));
     EXPECT_EQ(3.5, sensor.read(4.5, 10.0)) << "but is soon lost";
   }
-}
-
-TEST(Sensor, samplesAndDriftMoveWithTheClock)
-{
-  SensorSpec spec;
-  spec.rate = 4.0;
-  spec.drift = 1.0;
-  expect_to_move_with_the_clock(spec);
 }
 
 TEST(SensorFault, addsToWhatTheGaugeHas)

@@ -7,7 +7,6 @@
 #include "drill_rig_sim/instruments/instruments.h"
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/well/directions.h"
-#include "shifted_sensor.h"
 #include "test_scenes.h"
 
 namespace test_sim_gauges
@@ -42,48 +41,6 @@ SensorView view_along(double inclination, double azimuth)
   return view;
 }
 }  // namespace
-
-TEST(Sensor, movesWithTheClock)
-{
-  SensorSpec spec;
-  spec.delay = 0.5;
-  spec.filter_time = 0.25;
-  expect_to_move_with_the_clock(spec);
-}
-
-TEST(RateMeter, movesWithTheClock)
-{
-  RateMeter still, moved;
-  double shift = 0.0;
-  for (int k = 0; k < 80; ++k)
-  {
-    if (k == 20) moved.shift_time(shift = 64.0);
-    EXPECT_EQ(still.rate(k * k, 0.25 * k), moved.rate(k * k, 0.25 * k + shift)) << k;
-  }
-}
-
-TEST(Mwd, movesWithTheClock)
-{
-  const MwdSpec spec{6.0, 8.0};
-  const ToolfaceSpec toolface{2.0, 5.0};
-  Mwd still(spec, toolface), moved(spec, toolface);
-  MwdReading survey, survey_of_moved;
-  ToolfaceReading face, face_of_moved;
-  double shift = 0.0;
-  for (int k = 0; k < 100; ++k)
-  {
-    if (k == 25) moved.shift_time(shift = 64.0);  // 12.5 s: two surveys and three toolfaces are on their way
-    still.update(0.5 * k, flow, SensorView(), survey, face);
-    moved.update(0.5 * k + shift, flow, SensorView(), survey_of_moved, face_of_moved);
-    ASSERT_EQ(survey.sequence, survey_of_moved.sequence) << k;
-    ASSERT_EQ(face.sequence, face_of_moved.sequence) << k;
-    if (k >= 40)
-    {
-      ASSERT_EQ(survey.time + 64.0, survey_of_moved.time) << k;
-      ASSERT_EQ(face.time + 64.0, face_of_moved.time) << k;
-    }
-  }
-}
 
 // Read more often than the interval it keeps the first of each; shown is the newest that is old enough, until then the oldest.
 TEST(Sensor, holdsASampleForItsInterval)

@@ -144,19 +144,6 @@ TEST(Heave, aWinchThatFollowsTheReadingsCompensates)
   EXPECT_LT(with.half(), 0.02 * scene.rig.heave.amplitude);
 }
 
-TEST(Heave, theClockAloneMovesNoFloor)
-{
-  Simulator rig(floating(300.0, Level::axial_torsional));
-  play(rig, 32.5);
-  const auto saved = rig.save();
-  std::vector<double> first, again;
-  play(rig, 1.0, [&](const Truth& m) { first.push_back(m.hook_load); });
-  play(rig, 4.0);
-  ASSERT_TRUE(rig.restore(*saved, true));
-  play(rig, 1.0, [&](const Truth& m) { again.push_back(m.hook_load); });
-  EXPECT_EQ(first, again);
-}
-
 // Steps chosen by their error, up to 50 ms, with frames between; mud takes the start's waves within seconds, or steps stay short
 // for them.
 TEST(Heave, longStepsFollowTheFloor)

@@ -63,6 +63,26 @@ TEST(OverPull, setsTheBrakeAndHoldsUntilTheWinchIsToldNotToRaise)
   EXPECT_FALSE(rig.truth().over_pull) << "armed, and below its limit";
 }
 
+// The set points of the last second, which raise, are still on their way when the driller brakes.
+TEST(OverPull, withADeadTimeWaitsForTheSetPointsOnTheirWay)
+{
+  Scene scene = with_over_pull();
+  scene.rig.hoisting.latency = 1.0;
+  Simulator rig(scene);
+  ASSERT_TRUE(rig.stick_pipe(130.0));
+  rig.command(WinchSetpoint{0.02, false});
+  play(rig, 15.0);
+  ASSERT_TRUE(rig.truth().over_pull);
+  const double height = rig.truth().block_height, load = rig.truth().hook_load;
+  rig.command(WinchSetpoint{0.0, true});
+  play(rig, 0.9);
+  EXPECT_TRUE(rig.truth().over_pull);
+  play(rig, 2.1);
+  EXPECT_FALSE(rig.truth().over_pull);
+  EXPECT_NEAR(rig.truth().block_height, height, 1e-3);
+  EXPECT_NEAR(rig.truth().hook_load, load, 0.02 * load);
+}
+
 TEST(OverPull, isOffByDefaultAndDoesNotMindAHeavyStringThatIsNotRaised)
 {
   Scene scene = hanging();

@@ -57,15 +57,6 @@ TEST(CommandDelay, passesAllOfThemLateAndTheWinchLater)
   }
 }
 
-TEST(CommandDelay, movesWithTheClock)
-{
-  CommandDelay delay(0.1, 0.0);
-  for (int k = 0; k < 20; ++k) delay.take(given(0.0, k), frame * k);
-  delay.shift_time(1000.0);
-  delay.take(given(0.0, 20.0), 1000.2);
-  EXPECT_DOUBLE_EQ(delay.passed().pump.flow, 10.0);
-}
-
 TEST(CommandDelay, isNoneWithoutDeadTimes)
 {
   EXPECT_FALSE(CommandDelay(0.0, 0.0).is_on());

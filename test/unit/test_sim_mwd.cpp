@@ -151,24 +151,6 @@ TEST(Mwd, aCycleThatIsOverEarlierHasNoSurvey)
   EXPECT_NEAR(35.0, survey.time, 1e-9);
 }
 
-TEST(Mwd, theSurveyOfTheQuietMovesWithTheClock)
-{
-  Mwd still(surveys_of_the_quiet(5.0), ToolfaceSpec()), moved(surveys_of_the_quiet(5.0), ToolfaceSpec());
-  MwdReading survey, of_moved;
-  ToolfaceReading face;
-  double shift = 0.0;
-  for (int k = 0; k <= 100; ++k)
-  {
-    if (k == 32) moved.shift_time(shift = 64.0);  // 16 s: taken, not sent
-    const double q = k < 20 || k >= 60 ? flow : 0.0;
-    still.update(0.5 * k, q, view_of(0.01 * k, 0.0), survey, face);
-    moved.update(0.5 * k + shift, q, view_of(0.01 * k, 0.0), of_moved, face);
-    ASSERT_EQ(survey.sequence, of_moved.sequence) << k;
-  }
-  ASSERT_EQ(1u, survey.sequence);
-  EXPECT_EQ(survey.time + 64.0, of_moved.time);
-}
-
 // Every 5 s while it flows, turning or not, 2 s late, in steps of 0.1 deg; none by default.
 TEST(Mwd, inclinationComesBetweenSurveys)
 {

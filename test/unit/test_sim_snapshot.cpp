@@ -217,43 +217,4 @@ TEST(Snapshot, bringsTheReasonOfItsWarningBack)
   EXPECT_TRUE(rig.truth().accuracy_warning);
 }
 
-TEST(Snapshot, keepTimeMovesTheClockAlone)
-{
-  constexpr int before = 200, after = 500;  // [frames]
-  Simulator rig(noisy_scene(), 7);
-  rig.set_command_timeout(4.0);
-  drill_ahead(rig, 60.0 * rpm, 0.03, 0.01);
-  for (int k = 0; k < before; ++k) ASSERT_EQ(rig.frame(kFrame), FrameStatus::running);
-  const auto saved = rig.save();
-  std::vector<Truth> truth;
-  std::vector<Readings> readings;
-  for (int k = 0; k < after; ++k)
-  {
-    ASSERT_EQ(rig.frame(kFrame), FrameStatus::running);
-    truth.push_back(rig.truth());
-    readings.push_back(rig.readings());
-  }
-  ASSERT_TRUE(rig.restore(*saved, true));
-  EXPECT_NEAR(rig.truth().time, 7.0, 1e-9);
-  EXPECT_EQ(rig.truth().time, rig.readings().time);
-  for (int k = 0; k < after; ++k)
-  {
-    ASSERT_EQ(rig.frame(kFrame), FrameStatus::running);
-    ASSERT_NEAR(rig.truth().time, truth[k].time + 5.0, 1e-9);
-    ASSERT_EQ(rig.truth().bit_depth, truth[k].bit_depth) << k;
-    ASSERT_EQ(rig.truth().hook_load, truth[k].hook_load) << k;
-    ASSERT_EQ(rig.truth().commands_timed_out, truth[k].commands_timed_out) << k;
-    const Readings& shown = rig.readings();
-    for (const auto field : {&Readings::hook_load, &Readings::dead_line_hook_load, &Readings::torque,
-                             &Readings::stand_pipe_pressure, &Readings::flow, &Readings::block_height, &Readings::rop})
-      ASSERT_NEAR(shown.*field, readings[k].*field, 1e-9 * std::abs(readings[k].*field) + 1e-12) << k;
-    ASSERT_EQ(shown.mwd.sequence, readings[k].mwd.sequence) << k;
-    ASSERT_EQ(shown.toolface.sequence, readings[k].toolface.sequence) << k;
-  }
-  EXPECT_NEAR(rig.truth().time, 12.0, 1e-9);
-  EXPECT_TRUE(truth.back().commands_timed_out && !truth.front().commands_timed_out);
-  EXPECT_GT(readings.back().mwd.sequence, readings.front().mwd.sequence);
-  EXPECT_NEAR(rig.readings().mwd.time, readings.back().mwd.time + 5.0, 1e-9);
-  EXPECT_NEAR(rig.readings().toolface.time, readings.back().toolface.time + 5.0, 1e-9);
-}
 }  // namespace test_sim_snapshot

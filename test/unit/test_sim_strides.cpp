@@ -208,20 +208,6 @@ TEST(Strides, aFrameShowsTheWholeStringAtItsOwnTime)
   EXPECT_GT(seen, 10);
 }
 
-TEST(Strides, aSnapshotKeepsTimeOnTheWay)
-{
-  Simulator rig = on_the_way(variable());
-  into_a_stride(rig);
-  const auto saved = rig.save();
-  play(rig, 100);
-  const double now = rig.truth().time, depth = saved->truth.bit_depth;
-  ASSERT_TRUE(rig.restore(*saved, true));
-  EXPECT_NEAR(rig.truth().time, now, 1e-9);
-  play(rig, 1);
-  EXPECT_NEAR(rig.truth().time, now + kFrame, 1e-9);
-  EXPECT_NEAR(rig.truth().bit_depth, depth, 1e-3);
-}
-
 TEST(Strides, framesMayChangeTheirLength)
 {
   Simulator rig = on_the_way(variable());
@@ -271,6 +257,45 @@ TEST(Strides, energyCloses)
   }
   const EnergyAccounts& accounts = rig.energy();
   EXPECT_LT(std::abs(accounts.closure()), 2e-3 * accounts.input_magnitudes());
+}
+
+// The accounts of before a restore do not come back with the next command.
+TEST(Strides, energyBeginsAnewWhereAStateIsRestoredWithinAStride)
+{
+  Simulator rig = on_the_way(variable());
+  rig.balance_energy();
+  play(rig, 300);
+  into_a_stride(rig);
+  const auto saved = rig.save();
+  play(rig, 600);
+  const double before = rig.energy().input_magnitudes();
+  ASSERT_GT(before, 0.0);
+  ASSERT_TRUE(rig.restore(*saved));
+  rig.command(WinchSetpoint{0.0, true});
+  play(rig, 5);
+  EXPECT_LT(rig.energy().input_magnitudes(), 0.5 * before);
+}
+
+// Pipe that pressed on the bit is guided again after ten seconds: frames within a step count too.
+TEST(Strides, countForTheSecondsAfterWhichPipeIsGuidedAgain)
+{
+  constexpr double frame = 0.002;  // a tenth of a step and less [s]
+  Scene scene = with_step(vertical_scene(300.0, 299.99, 0.2), 0.0);
+  scene.numerics.level = Level::hybrid;
+  scene.numerics.free_length = 20.0;
+  scene.numerics.element_length = 4.75;
+  Simulator rig(scene);
+  const auto move = [&rig](double velocity, double seconds)
+  {
+    rig.command(WinchSetpoint{velocity, false});
+    for (int k = 0; k < seconds / frame; ++k) ASSERT_EQ(rig.frame(frame), FrameStatus::running) << rig.failure();
+  };
+  const int at_start = rig.statistics().coordinates;
+  move(-0.01, 5.0);
+  move(0.01, 10.0);
+  ASSERT_GT(rig.statistics().coordinates, at_start);
+  move(0.0, 14.0);
+  EXPECT_EQ(rig.statistics().coordinates, at_start);
 }
 
 TEST(Strides, aBlowIsSteppedFinely)

@@ -215,16 +215,6 @@ TEST(ZeroWindow, forgetsWhatHungInAnotherWay)
   EXPECT_EQ(0.0, on_bottom.window().held());
 }
 
-TEST(ZeroWindow, goesOnWhereTimeIsShifted)
-{
-  ZeroWindow window;
-  for (int k = 0; k <= 500; ++k) window.take(5e5, 0.0, k * frame);
-  EXPECT_NEAR(5.0, window.held(), 1e-9);
-  window.shift_time(1000.0);
-  window.take(5e5, 0.0, 1005.0 + frame);
-  EXPECT_NEAR(5.0 + frame, window.held(), 1e-9);
-}
-
 // The block stops and the string rings: whenever the driller zeroes, it is the same zero.
 TEST(Tare, hitsTheMeanOfARingingHookLoad)
 {

@@ -25,8 +25,6 @@ public:
   /// Of a model that goes along with another: actuators get what those of the other get.
   void follow(const Setpoints& passed) noexcept { passed_ = passed; }
   bool is_on() const noexcept { return plc_ > 0.0 || drawworks_ > 0.0; }
-  /// Moves all it remembers by `shift` [s].
-  void shift_time(double shift) noexcept;
 
   /// What it remembers; the dead times are the scene's.
   template <class V>

@@ -41,8 +41,6 @@ struct CommandState
   bool timed_out() const noexcept { return winch_silent || drive_silent; }
   /// What was asked, or the crew's; brake and coasting drive while a stream has stopped.
   Setpoints in_force() const noexcept;
-  /// Moves all it remembers by `shift` [s].
-  void shift_time(double shift) noexcept;
 
   template <class V>
   void visit(V& v)

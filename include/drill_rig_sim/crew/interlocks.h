@@ -25,8 +25,9 @@ struct InterlockState
   }
 };
 
-/// Before a frame: what trips by the last readings and what is let go by the set points asked for.
-void watch_interlocks(const RigSpec& rig, const RigSignals& readings, const Setpoints& asked,
+/// Before a frame: what trips by the last readings, and what is released: where neither the set points `asked` for nor those that
+/// have `passed` the dead times raise the block, or pump.
+void watch_interlocks(const RigSpec& rig, const RigSignals& readings, const Setpoints& asked, const Setpoints& passed,
                       InterlockState& interlocks) noexcept;
 
 /// What is left of the set points asked for by interlocks and faults: a tripped drive coasts, brake apart; a tripped pump stops.

@@ -25,12 +25,6 @@ public:
 
   /// What the tool receives at `time` [s]: `flow` through it [m3/s]; `bit_time` [s]. The command once it is complete.
   std::optional<SteeringSetpoint> hear(double time, double flow, double bit_time) noexcept;
-  /// Moves all it remembers by `shift` [s].
-  void shift_time(double shift) noexcept
-  {
-    began_ += shift;
-    deaf_until_ += shift;
-  }
 
   /// Bit `i` of a downlink, the start bit first: whether the flow is lowered. Of the nearest toolface and ratio that it can say.
   static bool is_low(const SteeringSetpoint& command, int i) noexcept;

@@ -41,7 +41,6 @@ public:
   void update(double time, double flow, const SubView& view) noexcept;
   /// The last reading that has arrived.
   const DynamicsReading& arrived() const noexcept { return arrived_; }
-  void shift_time(double shift) noexcept;
 
   template <class V>
   void visit(V& v)

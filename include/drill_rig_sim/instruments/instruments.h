@@ -25,8 +25,6 @@ public:
   /// Mean rate from the oldest sample within the window to `depth` [m] at `time` [s]; [m/s]. 0 for the first sample. Where calls
   /// are further apart than the window: from the last one.
   double rate(double depth, double time) noexcept;
-  /// Moves all it remembers by `shift` [s].
-  void shift_time(double shift) noexcept;
 
   template <class V>
   void visit(V& v)
@@ -77,8 +75,6 @@ public:
   double zero_held() const noexcept { return zero_mean_.window().held(); }
   /// What is wrong with the gauge that a reading comes from: hook_load's is the dead line's where the scene reads it there.
   SensorFault& fault_of(Gauge gauge) noexcept { return source_of(gauge).fault; }
-  /// Moves all they remember by `shift` [s].
-  void shift_time(double shift) noexcept;
 
   /// What they remember; their specifications are the scene's.
   template <class V>

@@ -39,8 +39,6 @@ public:
   void update(double time, double flow, const SensorView& view, MwdReading& survey, ToolfaceReading& toolface) noexcept;
   /// The last reading that has arrived.
   const InclinationReading& inclination() const noexcept { return inclination_; }
-  /// Moves all it remembers by `shift` [s].
-  void shift_time(double shift) noexcept;
 
   /// What it remembers; its specification is the scene's.
   template <class V>

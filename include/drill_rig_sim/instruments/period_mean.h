@@ -22,8 +22,6 @@ public:
   void set_period(double period) noexcept { period_ = period; }
   /// Forgets what came before: the mean begins with the next value.
   void restart() noexcept { held_ = 0; }
-  /// Moves all it remembers by `shift` [s].
-  void shift_time(double shift) noexcept;
 
   template <class V>
   void visit(V& v)

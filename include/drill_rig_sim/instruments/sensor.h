@@ -78,8 +78,6 @@ public:
   double read(double truth, double time) noexcept;
   /// In a drop-out: the last reading() is an old one.
   bool is_lost() const noexcept { return lost_ || fault.dropped; }
-  /// Moves all it remembers by `shift` [s].
-  void shift_time(double shift) noexcept;
 
   /// What it remembers; its specification is the scene's.
   template <class V>

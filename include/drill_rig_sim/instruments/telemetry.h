@@ -33,11 +33,6 @@ public:
     --count_;
     return true;
   }
-  void shift_time(double shift) noexcept
-  {
-    for (Reading& r : entry_) r.time += shift;
-    for (double& time : sent_) time += shift;
-  }
 
   template <class V>
   void visit(V& v)

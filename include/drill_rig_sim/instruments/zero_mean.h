@@ -45,12 +45,6 @@ public:
   void take(double hook_load, const RigSignals& now, bool on_bottom = false) noexcept;
   /// [N]
   double mean() const noexcept { return mean_.mean(); }
-  /// Moves all it remembers by `shift` [s].
-  void shift_time(double shift) noexcept
-  {
-    mean_.shift_time(shift);
-    window_.shift_time(shift);
-  }
   /// What there is for a zero over a duration.
   const ZeroWindow& window() const noexcept { return window_; }
 

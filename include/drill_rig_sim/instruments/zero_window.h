@@ -35,8 +35,6 @@ public:
   /// Over the last `duration` [s], or up to a quarter of a second (or a frame, if that is longer) more; over all it holds if that
   /// is less.
   Zero over(double duration) const noexcept;
-  /// Moves the time of the last reading by `shift` [s].
-  void shift_time(double shift) noexcept { last_ += shift; }
 
   template <class V>
   void visit(V& v)

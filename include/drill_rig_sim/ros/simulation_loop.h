@@ -110,8 +110,9 @@ public:
   }
   /// Another simulator takes over, its commands zeroed; returns the old one, which the caller destroys.
   std::unique_ptr<Simulator> replace(std::unique_ptr<Simulator> simulator);
-  /// Back to a saved state of this simulator, to where its player was and to its commands' stamps. The clock runs on.
-  void go_back(const SimulatorState& state, const ScenePlayer& player, bool playing, const CommandStamps& commands);
+  /// Back to a saved state of this simulator, to where its player was and to its commands' stamps. The clock runs on. False, and
+  /// nothing changed: Simulator::restore().
+  bool go_back(const SimulatorState& state, const ScenePlayer& player, bool playing, const CommandStamps& commands);
   /// Another player gives the commands from the next frame on. Its number, by which frames are marked (FrameRecord::order).
   std::uint32_t play(const ScenePlayer& player);
   /// Ends the player of this number, unless another has come: a block that it moves is braked.

@@ -55,8 +55,13 @@ double pushed_length(const Scene& scene) noexcept;
 constexpr double rigid_stiffness = 100.0;
 
 /// The mesh of a scene's string over `total_length`, bit's face to top-drive shaft [m], stiffened for level rigid; string/mesh.h
-/// says what may be wrong.
-Mesh build_mesh(const Scene& scene, double total_length);
+/// says what may be wrong. Its elements are those of the start; the mud's drag is that of the hole around a string with its bit
+/// at `bit_depth` [m MD].
+Mesh build_mesh(const Scene& scene, double total_length, double bit_depth);
+inline Mesh build_mesh(const Scene& scene, double total_length)
+{
+  return build_mesh(scene, total_length, scene.start.bit_depth);
+}
 
 /// The circuit of its mud.
 MudCircuit mud_circuit(const Scene& scene, const Mesh& mesh);

@@ -16,6 +16,7 @@ struct LevelMemory
   double free_length = 0.0;  ///< nodes up to here above the bit's face are free, windows apart [m]
   bool moved = false;        ///< since the last frame
   double calm = 0.0;         ///< how long all pipe in windows could have been guided [s]
+  double unseen = 0.0;       ///< frames since the last look, which were within a step [s]
   std::uint64_t opened = 0;  ///< windows since the start, and those that grew
   std::uint64_t closed = 0;
 
@@ -25,6 +26,7 @@ struct LevelMemory
     v("free_length", free_length);
     v("moved", moved);
     v("calm", calm);
+    v("unseen", unseen);
     v("opened", opened);
     v("closed", closed);
   }
@@ -43,7 +45,7 @@ class LevelWatch
 public:
   explicit LevelWatch(const Model& model);
 
-  /// Between two frames of `duration` [s]; `forces`: of the step before.
+  /// Before a frame of `duration` [s]; `forces`: of the step before.
   void look(const Model& model, const RigForces& forces, double duration, State& state, LevelMemory& memory) noexcept;
 
 private:

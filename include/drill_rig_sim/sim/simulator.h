@@ -202,9 +202,8 @@ public:
   /// A copy of everything that the next frame depends on.
   std::shared_ptr<const SimulatorState> save() const;
   /// Back to a saved state of this same scene; false, and nothing changed, for one of another scene, or whose string is not what
-  /// it says. After it the next frames are bit-identical to those that followed save(). `keep_time`: simulated time runs on from
-  /// now instead of jumping back.
-  bool restore(const SimulatorState& state, bool keep_time = false);
+  /// it says. After it the next frames are bit-identical to those that followed save().
+  bool restore(const SimulatorState& state);
 
 private:
   struct Impl;

@@ -9,6 +9,7 @@
 #include "drill_rig_sim/math/rotation.h"
 #include "drill_rig_sim/math/units.h"
 #include "drill_rig_sim/model/mud_temperature.h"
+#include "drill_rig_sim/model/wall_faults.h"
 
 namespace drill_rig_sim
 {
@@ -112,8 +113,8 @@ double plug_at(const Model& model, const State& state, int node) noexcept
 {
   const DragState& plug = state.faults.pack_off;
   const std::size_t i = static_cast<std::size_t>(node);
-  return pack_off_pressure(plug.amount, 2.0 * state.well.wall_at(plug.md, state.nodes[i].segment).radius,
-                           model.mesh().nodes[i].diameter);
+  const double radius = state.well.wall_at(plug.md, state.nodes[i].segment).radius + wash_out(state.faults, plug.md).radius;
+  return pack_off_pressure(plug.amount, 2.0 * radius, model.mesh().nodes[i].diameter);
 }
 
 PlaceDrag drag_at(const Model& model, const State& state, double bit_depth, std::size_t k) noexcept
@@ -131,8 +132,9 @@ PlaceDrag drag_at(const Model& model, const State& state, double bit_depth, std:
   }
   const FaultState& faults = state.faults;
   const HoleWall wall = state.well.wall_at(drag.md, state.nodes[static_cast<std::size_t>(out.node)].segment);
-  const double friction = wall.friction * (drag.md >= faults.friction_from ? faults.friction_factor : 1.0);
-  out.most *= friction * sealed_width(out.lever, wall.radius - out.lever) * sealed_share(drag.rest);
+  const double radius = wall.radius + wash_out(faults, drag.md).radius;
+  out.most *=
+      wall.friction * friction_factor(faults, drag.md) * sealed_width(out.lever, radius - out.lever) * sealed_share(drag.rest);
   return out;
 }
 }  // namespace
