@@ -90,7 +90,7 @@ private:
         saved_ = rig_.save();
         break;
       case 4:
-        rig_.restore(*saved_, orders.byte() % 2 == 1);
+        rig_.restore(*saved_);
         break;
       case 5:
         rig_.tare();
