@@ -125,7 +125,7 @@ class Least(unittest.TestCase):
         told, expected = io.StringIO(), []
         progress = calibrate_command.Progress()
         progress.expect(0, 40)
-        progress.told = progress.began = progress.began - 30.0
+        progress.printed = progress.began = progress.began - 30.0
         with redirect_stderr(told):
             progress(10.0)
             progress(11.0)

@@ -30,7 +30,7 @@ class RssSteeringOfAPlan(unittest.TestCase):
                 told.append(heard)
         states = drive(rig, law, 3000.0, rig, judge)
         self.assertTrue(law.done)
-        self.assertEqual(len(law.told), len(told))  # each downlink was heard: the first of both says 0
+        self.assertEqual(len(law.schedule), len(told))  # each downlink was heard: the first of both says 0
         print("told: %s" % ", ".join("%.0f deg %.1f" % (numpy.degrees(toolface), ratio) for toolface, ratio in told))
 
         plan, errors = Plan(PLAN), []

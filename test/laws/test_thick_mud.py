@@ -88,7 +88,7 @@ class ThickMud(unittest.TestCase):
         law = RssSteering(PLAN, tool_rate=4.1, bit_time=6.0, driller=driller)
         states = drive(rig, law, 2000.0, rig, lambda state: heard.append((state.truth.steering.toolface, state.truth.steering.ratio)))
         self.assertTrue(law.done)
-        self.assertEqual(len(law.told), len([1 for k, now in enumerate(heard) if k == 0 or now != heard[k - 1]]))  # each downlink was heard
+        self.assertEqual(len(law.schedule), len([1 for k, now in enumerate(heard) if k == 0 or now != heard[k - 1]]))  # each downlink was heard
         self.losses_are_of_the_thick_mud(states)
 
     def test_stick_slip(self):

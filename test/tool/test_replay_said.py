@@ -25,7 +25,7 @@ class Said(InFolder):
                 return True
         for stream, said in ((Terminal(), "drill replay: 100 of 400 s played, 11 s, about 33 s left\n"), (io.StringIO(), "")):
             progress = replay_command.Progress()
-            progress.began = progress.told = progress.told - 11.0
+            progress.began = progress.printed = progress.printed - 11.0
             with redirect_stderr(stream):
                 progress(100.0, 400.0)
                 progress(101.0, 400.0)
