@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 #include "drill_rig_sim/math/units.h"
 
@@ -21,15 +22,38 @@ const Shown shown[output_count] = {
     {Dimension::force, {"%.1f", "kN", 1e-3}},          {Dimension::penetration, {"%.2f", "m/h", 3600.0}},
     {Dimension::rotation, {"%.1f", "rpm", 1.0 / rpm}}, {Dimension::pressure, {"%.2f", "MPa", 1e-6}}};
 
-/// The first output that the verdict is for.
-std::size_t first_such(const Verification& verification)
+/// Names of the outputs in needs that have this verdict.
+std::string with_verdict(const Verification& verification, Verification::Verdict verdict)
 {
+  std::string names;
   for (std::size_t i = 0; i < output_count; ++i)
   {
     const Output output = static_cast<Output>(i);
-    if (verification.needed(output) && verification.verdict(output) == verification.verdict()) return i;
+    if (verification.needed(output) && verification.verdict(output) == verdict)
+      names += (names.empty() ? "" : ", ") + std::string(output_traits[i].name);
   }
-  return 0;
+  return names;
+}
+
+/// Of the outputs in needs that have this verdict, when the first is wrong [s].
+double wrong_from(const Verification& verification, Verification::Verdict verdict)
+{
+  double first = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < output_count; ++i)
+  {
+    const Output output = static_cast<Output>(i);
+    if (verification.needed(output) && verification.verdict(output) == verdict)
+      first = std::min(first, verification.finding(output).wrong_from);
+  }
+  return first;
+}
+
+void print_warned(const Verification& verification, double tolerance)
+{
+  const Verification::Verdict warned = Verification::Verdict::warned;
+  std::printf("wrong, and warned of: %s, by more than %g %% from %.0f s on; a warning came at %.0f s\n",
+              with_verdict(verification, warned).c_str(), 100.0 * tolerance, wrong_from(verification, warned),
+              verification.warned_from());
 }
 
 bool is_judged_by_statistics(const Verification& verification, Output output)
@@ -93,27 +117,27 @@ void print_findings(const Verification& verification, const Printed& printed)
 
 void print_verdict(const Verification& verification, double tolerance, const std::string& not_measured)
 {
-  const std::size_t i = first_such(verification);
-  const Verification::Finding found = verification.finding(static_cast<Output>(i));
+  using Verdict = Verification::Verdict;
+  const std::string names = with_verdict(verification, verification.verdict());
   switch (verification.verdict())
   {
-    case Verification::Verdict::right:
+    case Verdict::right:
       print_right(verification, tolerance);
       break;
-    case Verification::Verdict::warned:
-      std::printf("wrong, and warned of: %s is off by more than %g %% from %.0f s on, a warning came at %.0f s\n",
-                  output_traits[i].name, 100.0 * tolerance, found.wrong_from, verification.warned_from());
+    case Verdict::warned:
+      print_warned(verification, tolerance);
       break;
-    case Verification::Verdict::missed:
-      std::printf("wrong without a warning: %s is off by more than %g %% from %.0f s on%s\n", output_traits[i].name,
-                  100.0 * tolerance, found.wrong_from,
+    case Verdict::missed:
+      std::printf("wrong without a warning: %s, by more than %g %% from %.0f s on%s\n", names.c_str(), 100.0 * tolerance,
+                  wrong_from(verification, Verdict::missed),
                   not_measured.empty() ? "" : ("; its error was not measured: " + not_measured).c_str());
       break;
-    case Verification::Verdict::unknown:
+    case Verdict::unknown:
+      if (!with_verdict(verification, Verdict::warned).empty()) print_warned(verification, tolerance);
       std::printf(
           "not known: the finer runs differ too much in %s for a verdict at %g %%; its momentary values are one sample, averages "
           "over minutes may be reliable\n",
-          output_traits[i].name, 100.0 * tolerance);
+          names.c_str(), 100.0 * tolerance);
       break;
   }
 }
