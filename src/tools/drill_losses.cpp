@@ -151,7 +151,10 @@ void print_losses(const Scene& scene, const Mesh& mesh, const MudCircuit& mud, c
   std::printf(", bit %s, annulus %s; stand pipe %s", loss_text(losses.bit, printed).c_str(),
               loss_text(losses.annulus, printed).c_str(),
               loss_text(losses.lines + losses.bore + losses.bit + losses.annulus, printed).c_str());
-  std::printf(mud.circuit.law.any() ? "\n" : " by pressure_coefficient\n");
+  if (!mud.circuit.law.any())
+    std::printf(losses.bit > 0.0 ? " by pressure_coefficient"
+                                 : " by pressure_coefficient, to which the losses are cut: it is too small");
+  std::printf("\n");
   print_relief(scene, losses, printed);
   if (scene.rheology)
     print_densities(scene, mesh, mud, printed);
